@@ -9,42 +9,32 @@ mod arrival;
 mod border;
 mod departure;
 
-use crate::diag::{Answer, codes};
-use crate::geo::tolerance;
-use crate::geo::{Point2, SAME_DIRECTION, Vec2, left};
-use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
-use crate::ir::{Feed, Pos, Side};
-use crate::machine::{Axis, AxisSet};
+use crate::diag::{Answer, Fault, codes};
 use crate::parser::klartext::ast::{Addr, Block, Word};
-use crate::sema::common::plane::plane_axes;
+use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::words::{Admits, Words};
+use super::block_text::block_name;
+use super::reading::Reading;
+use super::words::Admits;
 use super::{Outcome, Run};
 
 pub(super) use arrival::{Approach, Held, MOST_HELD};
-use border::{Border, Circle, Shape};
+use border::Shape;
 
 /// M functions that have no place in an approach or departure.
 const FORBIDDEN: [u32; 9] = [6, 89, 91, 92, 97, 98, 99, 140, 197];
 
 impl Run<'_> {
     pub(super) fn approach_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let (name, span) = self.block_name(block, text, 2);
+        let (name, span) = block_name(block, text, 2);
         let result = self.read_approach(&name.to_ascii_uppercase(), span, block, text);
         if result.is_err() {
             self.approach = None;
-            self.forget_contour();
-            self.lose_all();
+            self.st.lose_contour();
+            self.st.lose_all(&mut self.core);
         }
         result
-    }
-
-    /// The contour was refused: what only suffers from it is not worth another error.
-    fn forget_contour(&mut self) {
-        self.st.end_compensation();
-        self.st.compensation.lose();
-        self.st.contour = None;
     }
 
     fn read_approach(&mut self, name: &str, span: Span, block: &Block, text: &[u8]) -> Outcome {
@@ -57,178 +47,77 @@ impl Run<'_> {
         if !matches!(kind, "LT" | "LN" | "CT" | "LCT") || departs && polar && kind != "LCT" {
             return self.core.refuse(span, codes::K9003::is_not_supported(&name));
         }
-        if kind == "LN" && !self.computes_path() {
-            return self.core.refuse(
-                span,
-                codes::K9003::is_not_supported_where_target_compensates(&name)
-                    .answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])),
-            );
+        if kind == "LN" && !self.core.computes_path() {
+            let fault = codes::K9003::is_not_supported_where_target_compensates(&name);
+            return self
+                .core
+                .refuse(span, fault.answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])));
         }
-        let (rest, len, angle) = self.named_lengths(block, text, name)?;
-        let w = self.gather(&rest, name, admits(departs, polar, kind))?;
-        self.check_m(&w)?;
-        self.forbid_m(&w, name, &FORBIDDEN)?;
-        let shape = self.shape(kind, len, angle, w.radius, name)?;
+        let (rest, len, angle) = named_lengths(self.reading(), block, text, name)?;
+        let w = self.gather_m(&rest, name, admits(departs, polar, kind), &FORBIDDEN)?;
+        let shape = shape(kind, len, angle, w.radius, name);
+        let shape = shape.or_else(|fault| self.core.refuse(Where::Block, fault))?;
         if departs {
             self.m_at_start(&w, true)?;
             self.depart(name, shape, polar, &w)?;
         } else {
-            self.forbid_m(&w, name, &[2, 30])?;
+            w.forbid_m(&self.core, name, &[2, 30])?;
             self.approach_later(name, span, shape, polar, &w)?;
         }
-        self.m_at_end(&w)?;
-        self.put_back(w);
+        self.m_at_end(w.m())?;
+        self.words = Some(w);
         Ok(())
     }
+}
 
-    /// Takes LEN and CCA out of the words of the block.
-    fn named_lengths(&mut self, block: &Block, text: &[u8], name: &str) -> Outcome<(Block, Option<f64>, Option<f64>)> {
-        let mm = self.core.level().frame.unit.mm();
-        let (mut len, mut angle) = (None, None);
-        let mut rest = block.clone();
-        rest.words.clear();
-        let mut words = block.words.iter();
-        while let Some(&word) = words.next() {
-            let name_of_word = word.span.of(text).to_ascii_uppercase();
-            let is_ours = word.addr == Addr::Name && matches!(name_of_word.as_slice(), b"LEN" | b"CCA");
-            if !is_ours {
-                // Others may belong to an M function.
-                rest.words.push(word);
-                continue;
-            }
-            let value = match words.next() {
-                Some(value @ Word { addr: Addr::Value, .. }) => self.number(value.value, value.span)?,
-                _ => return self.not_admitted(word, name),
+/// Takes LEN and CCA out of the words of the block.
+fn named_lengths(
+    reading: Reading<'_, '_>,
+    block: &Block,
+    text: &[u8],
+    name: &str,
+) -> Outcome<(Block, Option<f64>, Option<f64>)> {
+    let (mut len, mut angle) = (None, None);
+    let mut rest = block.clone();
+    rest.words.clear();
+    let mut words = block.words.iter();
+    while let Some(&word) = words.next() {
+        let name_of_word = word.span.of(text).to_ascii_uppercase();
+        let is_ours = word.addr == Addr::Name && matches!(name_of_word.as_slice(), b"LEN" | b"CCA");
+        if !is_ours {
+            // Others may belong to an M function.
+            rest.words.push(word);
+            continue;
+        }
+        let value = match words.next() {
+            Some(value @ Word { addr: Addr::Value, .. }) => reading.number(value.value, value.span)?,
+            _ => return reading.core.not_admitted(word, name),
+        };
+        let slot = if name_of_word == b"LEN" { &mut len } else { &mut angle };
+        if slot.replace(value).is_some() {
+            return reading.core.twice(word, block);
+        }
+    }
+    Ok((rest, len.map(|len| len * reading.core.mm()), angle))
+}
+
+fn shape(kind: &str, len: Option<f64>, angle: Option<f64>, radius: Option<f64>, name: &str) -> Result<Shape, Fault> {
+    Ok(match (kind, len, angle, radius) {
+        ("LT", Some(length), None, None) if length > 0.0 => Shape::Line { length },
+        ("LN", Some(length), None, None) if length > 0.0 => Shape::Normal { length },
+        ("CT", None, Some(angle), Some(radius)) if angle > 0.0 && angle <= 360.0 && radius != 0.0 => {
+            Shape::Arc { radius, angle }
+        }
+        ("LCT", None, None, Some(radius)) if radius > 0.0 => Shape::LineArc { radius },
+        _ => {
+            let form = match kind {
+                "LT" | "LN" => "LEN above zero: `LEN15`",
+                "CT" => "CCA up to 360 degrees and R: `CCA90 R+10`",
+                _ => "R above zero: `R8`",
             };
-            let slot = if name_of_word == b"LEN" { &mut len } else { &mut angle };
-            if slot.replace(value).is_some() {
-                return self.twice(word, block);
-            }
+            return Err(codes::P1004::takes_its_size_from_other_words(&name, &form));
         }
-        Ok((rest, len.map(|len| len * mm), angle))
-    }
-
-    fn shape(
-        &mut self,
-        kind: &str,
-        len: Option<f64>,
-        angle: Option<f64>,
-        radius: Option<f64>,
-        name: &str,
-    ) -> Outcome<Shape> {
-        let span = self.core.block_span();
-        let shape = match (kind, len, angle, radius) {
-            ("LT", Some(length), None, None) if length > 0.0 => Shape::Line { length },
-            ("LN", Some(length), None, None) if length > 0.0 => Shape::Normal { length },
-            ("CT", None, Some(angle), Some(radius)) if angle > 0.0 && angle <= 360.0 && radius != 0.0 => {
-                Shape::Arc { radius, angle }
-            }
-            ("LCT", None, None, Some(radius)) if radius > 0.0 => Shape::LineArc { radius },
-            _ => {
-                let form = match kind {
-                    "LT" | "LN" => "LEN above zero: `LEN15`",
-                    "CT" => "CCA up to 360 degrees and R: `CCA90 R+10`",
-                    _ => "R above zero: `R8`",
-                };
-                return self.core.refuse(span, codes::P1004::takes_its_size_from_other_words(&name, &form));
-            }
-        };
-        Ok(shape)
-    }
-
-    /// The end point in the plane, and that of the tool axis if the block names it.
-    fn border_point(&mut self, name: &str, polar: bool, from: Point2, w: &Words) -> Outcome<(Point2, Option<f64>)> {
-        let plane = self.st.plane();
-        let (first, second, third) = plane.axes();
-        let third = Axis::ALL[third];
-        if !w.axes.known().without(plane_axes(plane)).without(AxisSet::of(third)).is_empty() {
-            return self.core.refuse(w.axes_span, codes::P1003::moves_axes_of_plane(&name));
-        }
-        let end = self.absolute(w)?;
-        let to = if polar {
-            let pole = self.pole(name)?;
-            if pole.plane != plane {
-                return self.core.refuse(w.polar_radius_span, codes::K9003::about_pole_of_another_plane(&name));
-            }
-            let (radius, angle) = self.polar_words(w, &pole, name)?;
-            self.keep_polar(radius, angle, &pole);
-            crate::geo::angle::polar_point(pole.at, radius, angle)
-        } else {
-            self.st.polar.forget_last();
-            let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
-            Point2::new(coordinate(first, from.x), coordinate(second, from.y))
-        };
-        Ok((to, end.get(third)))
-    }
-
-    /// Lengths and radii are real ones, as the radius of the tool is.
-    fn forbid_scaling(&mut self, span: Span) -> Outcome {
-        let scale = self.st.ctx.frame.uniform_scale();
-        if scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
-            return self.core.refuse(span, codes::K9003::approach_or_departure_under_scaling_is_not());
-        }
-        Ok(())
-    }
-
-    /// The border point of a contour whose moves have `side`, with the tool at `radius` from it.
-    fn border(&self, contour: Point2, heading: Vec2, on_left: bool, side: Side, radius: f64) -> Border {
-        let out = if on_left { left(heading) } else { -left(heading) };
-        let edge = contour + out * radius;
-        let by_target = side != Side::None && !self.computes_path();
-        let (at, side, tool) = if by_target { (contour, side, radius) } else { (edge, Side::None, 0.0) };
-        Border { at, edge, heading, out, left: on_left, side, tool }
-    }
-
-    /// The circle that touches the path in the border point.
-    fn circle_at(&mut self, border: &Border, radius: f64, name: &str) -> Outcome<Circle> {
-        // On the side of the tool the contour lies outside the path of its centre, on the other side inside.
-        let sent = radius + border.tool;
-        if radius < 0.0 && sent >= 0.0 {
-            return self.core.refuse(self.core.block_span(), codes::K2605::radius_of_is_not_larger_than_tool(&name));
-        }
-        let ccw = border.left == (radius > 0.0);
-        Ok(Circle { center: border.at + border.out * sent, radius: sent.abs(), ccw })
-    }
-
-    fn plane_move(&mut self, to: Point2, feed: Option<Feed>, side: Side) {
-        self.way_to(to, None, feed, side);
-    }
-
-    /// A straight move in the plane, together with the tool axis if `depth` is given.
-    fn way_to(&mut self, to: Point2, depth: Option<f64>, feed: Option<Feed>, side: Side) {
-        let plane = self.st.plane();
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(plane, to);
-        if let Some(depth) = depth {
-            end.set(Axis::ALL[plane.axes().2], depth);
-        }
-        self.raw_move(end, Path::straight(feed), side);
-    }
-
-    fn axis_move(&mut self, depth: f64, feed: Option<Feed>, side: Side) {
-        let mut end = Pos::UNKNOWN;
-        end.set(Axis::ALL[self.st.plane().axes().2], depth);
-        self.raw_move(end, Path::straight(feed), side);
-    }
-
-    fn arc_to(&mut self, to: Point2, depth: Option<f64>, on: &Circle, feed: Option<Feed>, side: Side) -> Outcome {
-        let Some(feed) = feed else { return self.feed_missing() };
-        self.no_edge_feed(side)?;
-        let plane = self.st.plane();
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(plane, to);
-        if let Some(depth) = depth {
-            end.set(Axis::ALL[plane.axes().2], depth);
-        }
-        let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: tolerance::SAME };
-        self.raw_move(end, Path::Arc(Arc { plane, shape, turns: 0 }, feed), side);
-        Ok(())
-    }
-
-    fn raw_move(&mut self, end: Pos, path: Path, side: Side) {
-        self.movement(&Move { end, path, side, coords: Coords::Frame });
-        self.st.moved = true;
-    }
+    })
 }
 
 /// The words of an approach or departure besides LEN and CCA.

@@ -7,75 +7,36 @@
 use crate::diag::{Answer, codes};
 use crate::machine::{AxisSet, StandIn};
 use crate::parser::klartext::ast::{Addr, Block};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::cycle_definition::{Does, LeftWord, Open};
 use super::cycles::{Nature, find};
 use super::m_table;
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
 
-impl Run<'_> {
+impl Open {
     /// Keeps the words of a block that defines a cycle nobody knows.
-    pub(super) fn keep_left_words(&mut self, part: Option<u32>, block: &Block, text: &[u8]) {
+    pub fn keep_left_words(&mut self, core: &Core<'_>, part: Option<u32>, block: &Block, text: &[u8]) {
         let mut left = Vec::new();
         if matches!(part, None | Some(0)) {
-            self.words_of_name(block, text, &mut left);
+            words_of_name(core, block, text, &mut left);
         }
         for word in &block.words {
             let does = match word.addr {
                 Addr::Assign(_) => continue,
                 Addr::Axis { axis, .. } => Does::Moves(axis),
                 Addr::AssignText(_) => Does::Acts,
-                _ => Does::read(&self.word_text(word.span)).unwrap_or(Does::Nothing),
+                _ => Does::read(&core.word_text(word.span)).unwrap_or(Does::Nothing),
             };
-            left.push(LeftWord { text: self.word_text(word.span), does, loc: self.core.loc(word.span) });
+            left.push(LeftWord { text: core.word_text(word.span), does, loc: core.loc(word.span) });
         }
-        self.open_cycle().left.append(&mut left);
-    }
-
-    /// Words with a value that stand in the name of the cycle.
-    fn words_of_name(&self, block: &Block, text: &[u8], left: &mut Vec<LeftWord>) {
-        let code = block.span.of(text);
-        let first = block.words.first().map_or(code.len(), |word| (word.span.start - block.span.start) as usize);
-        let end = code.iter().position(|b| matches!(b, b';' | b'~' | b'\n')).unwrap_or(code.len()).min(first);
-        let digit = code.iter().position(u8::is_ascii_digit).unwrap_or(end);
-        let mut at = code[digit..].iter().position(u8::is_ascii_whitespace).map_or(end, |len| digit + len);
-        for word in code.get(at..end).unwrap_or_default().split(u8::is_ascii_whitespace) {
-            let span = Span::at(block.span.start + at as u32, word.len() as u32);
-            at += word.len() + 1;
-            if let Some(does) = Does::read(&String::from_utf8_lossy(word)) {
-                left.push(LeftWord { text: self.word_text(span), does, loc: self.core.loc(span) });
-            }
-        }
-    }
-
-    /// A cycle that no manual of the control has: `[programs]` may say that it does nothing.
-    pub(super) fn builders_cycle(&mut self, open: &Open) -> Outcome {
-        let number = open.number;
-        let name = format!("CYCL DEF {number}");
-        let here = self.core.here.origin.loc;
-        if self.core.job.settings.programs.get(&name) == Some(&StandIn::Ignored) {
-            let moved = self.core.job.settings.left_by(&name).lost;
-            self.may_leave_out(&name, moved, &open.left)?;
-            let words: Vec<&str> = open.left.iter().map(|word| word.text.as_str()).collect();
-            let fault = match words.as_slice() {
-                [] => codes::P8105::is_left_out_as_programs_says(&name),
-                words => codes::P8105::is_left_out_with_words(&name, &words.join(" ")),
-            };
-            self.core.report_once(fault.at(here));
-            self.leave_axes(&name, "end the contour with R0 before it")?;
-            return self.leave_technology(&name);
-        }
-        let found = codes::P9010::cycle_is_not_known(&number, &name)
-            .answer(Answer::key("programs", &name).one_of(&["{ ignore = true }"]))
-            .at(here);
-        self.core.report(found);
-        Err(Reported)
+        self.left.append(&mut left);
     }
 
     /// What is left out moves nothing, or the axes that the entry names.
-    fn may_leave_out(&self, name: &str, moved: AxisSet, left: &[LeftWord]) -> Outcome {
-        let doubtful = left.iter().find(|word| match word.does {
+    fn may_be_left_out(&self, core: &Core<'_>, name: &str, moved: AxisSet) -> Outcome {
+        let doubtful = self.left.iter().find(|word| match word.does {
             Does::Nothing => false,
             Does::Moves(axis) => !moved.contains(axis),
             Does::Acts => true,
@@ -85,16 +46,55 @@ impl Run<'_> {
             Does::Moves(_) => "if the cycle moves nothing, take the word out; if it moves, program its moves as blocks",
             Does::Nothing | Does::Acts => "take the word out, and program what it does in a block of its own",
         };
-        self.core.report(codes::P9010::is_to_be_left_out_as_cycle(&name, &word.text).at(word.loc).help(help));
+        core.report(codes::P9010::is_to_be_left_out_as_cycle(&name, &word.text).at(word.loc).help(help));
         Err(Reported)
     }
+}
 
+/// Words with a value that stand in the name of the cycle.
+fn words_of_name(core: &Core<'_>, block: &Block, text: &[u8], left: &mut Vec<LeftWord>) {
+    let code = block.span.of(text);
+    let first = block.words.first().map_or(code.len(), |word| (word.span.start - block.span.start) as usize);
+    let end = code.iter().position(|b| matches!(b, b';' | b'~' | b'\n')).unwrap_or(code.len()).min(first);
+    let digit = code.iter().position(u8::is_ascii_digit).unwrap_or(end);
+    let mut at = code[digit..].iter().position(u8::is_ascii_whitespace).map_or(end, |len| digit + len);
+    for word in code.get(at..end).unwrap_or_default().split(u8::is_ascii_whitespace) {
+        let span = Span::at(block.span.start + at as u32, word.len() as u32);
+        at += word.len() + 1;
+        if let Some(does) = Does::read(&String::from_utf8_lossy(word)) {
+            left.push(LeftWord { text: core.word_text(span), does, loc: core.loc(span) });
+        }
+    }
+}
+
+impl Run<'_> {
+    /// A cycle that no manual of the control has: `[programs]` may say that it does nothing.
+    pub(super) fn builders_cycle(&mut self, open: &Open) -> Outcome {
+        let number = open.number;
+        let name = format!("CYCL DEF {number}");
+        if self.core.job.settings.programs.get(&name) == Some(&StandIn::Ignored) {
+            let moved = self.core.job.settings.left_by(&name).lost;
+            open.may_be_left_out(&self.core, &name, moved)?;
+            let words: Vec<&str> = open.left.iter().map(|word| word.text.as_str()).collect();
+            let fault = match words.as_slice() {
+                [] => codes::P8105::is_left_out_as_programs_says(&name),
+                words => codes::P8105::is_left_out_with_words(&name, &words.join(" ")),
+            };
+            self.core.say_once(Where::Block, fault);
+            self.leave_axes(&name, "end the contour with R0 before it")?;
+            return self.leave_technology(&name);
+        }
+        let fault = codes::P9010::cycle_is_not_known(&number, &name);
+        self.core.refuse(Where::Block, fault.answer(Answer::key("programs", &name).one_of(&["{ ignore = true }"])))
+    }
+}
+
+impl Core<'_> {
     /// Entries of `[programs]` that would make a cycle vanish that partc knows, and those that no block of this language reads.
     pub(super) fn refuse_entries_of_cycles(&self) {
-        let programs = &self.core.job.settings.programs;
-        let motion = |name: &str| {
-            self.core.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on")
-        };
+        let programs = &self.job.settings.programs;
+        let motion =
+            |name: &str| self.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on");
         let entries: Vec<(&str, &str)> = programs
             .iter()
             .filter(|(name, _)| is_of_klartext(name))
@@ -102,13 +102,13 @@ impl Run<'_> {
             .collect();
         let help = "take them out: only a program or a cycle of the machine builder, which no manual of the control has, can be \
                     left out: `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by the key `probing` of `[control]`";
-        self.core.refuse_entries("[programs]", &entries, help);
-        let changing = &self.core.job.settings.control.tool_change_m;
+        self.refuse_entries("[programs]", &entries, help);
+        let changing = &self.job.settings.control.tool_change_m;
         let known: Vec<String> =
             changing.iter().filter(|m| m_table::entry(**m).is_some()).map(|m| format!("M{m}")).collect();
         let entries: Vec<(&str, &str)> = known.iter().map(|m| (m.as_str(), "a function of the control")).collect();
         let help = "take them out: only an M function of the machine builder can change the tool as M6 does";
-        self.core.refuse_entries("[control] tool_change_m", &entries, help);
+        self.refuse_entries("[control] tool_change_m", &entries, help);
     }
 }
 

@@ -1,8 +1,16 @@
 //! The contour that is programmed under compensation, as far as a departure has to know it.
 
+use std::rc::Rc;
+
+use crate::diag::codes;
 use crate::geo::{self, Plane, Point2, SAME_POINT, Vec2, arc};
-use crate::ir::Side;
-use crate::ir::contour::{Arc, ArcShape, Path};
+use crate::ir::compensation::{FeedAt, Inside, Outside, Search};
+use crate::ir::contour::{Arc, ArcShape, Ctx, CtxRef, Path};
+use crate::ir::{Compensation, Pos, Side};
+use crate::sema::common::plane::plane_axes;
+
+use super::words::Words;
+use super::{Core, Outcome};
 
 /// The last move in the working plane, for its direction.
 #[derive(Debug, Clone, Copy)]
@@ -85,5 +93,115 @@ impl LastMove {
 impl Contour {
     pub fn new(side: Side) -> Contour {
         Contour { side, begun: false, last: None }
+    }
+}
+
+/// The contour under way, what M functions make of its corners, and how far is looked ahead in it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ContourState {
+    pub now: Option<Contour>,
+    /// M97, M98 or M197 of the block in hand.
+    pub own_corner: OwnCorner,
+    /// Blocks that M120 looks ahead.
+    pub look_ahead: u32,
+}
+
+/// A move through the working plane.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step<'m> {
+    pub plane: Plane,
+    /// From where to where, if the start is known.
+    pub way: Option<[Point2; 2]>,
+    pub end: &'m Pos,
+    pub path: &'m Path,
+}
+
+impl Step<'_> {
+    /// Does it change the place in the plane?
+    #[inline]
+    pub fn moves(&self) -> bool {
+        match self.way {
+            Some([from, to]) => from != to || matches!(self.path, Path::Arc(arc, _) if arc.plane == self.plane),
+            None => self.names_plane(),
+        }
+    }
+
+    fn names_plane(&self) -> bool {
+        !self.end.known().common(plane_axes(self.plane)).is_empty()
+    }
+}
+
+impl ContourState {
+    /// A move of a contour of this side, or one that leads away from it.
+    pub fn follow(&mut self, side: Side, step: &Step<'_>) {
+        if side == Side::None && self.now.is_some_and(|contour| contour.side != Side::None) {
+            // A block that names the plane leads to its end, even from beside it.
+            if step.names_plane() {
+                self.now = None;
+            }
+            return;
+        }
+        if !step.moves() {
+            return;
+        }
+        if self.own_corner == OwnCorner::Waits {
+            self.own_corner = OwnCorner::Sent;
+        }
+        let begun = self.now.is_some();
+        let contour = self.now.get_or_insert(Contour::new(side));
+        contour.begun = begun;
+        contour.last = match (step.way, step.path) {
+            (Some([from, to]), Path::Rapid | Path::Line(_)) => Some(LastMove::straight(from, to, step.plane)),
+            (Some([from, to]), Path::Arc(..) | Path::Thread(_)) => {
+                Some(LastMove::new(from, to, step.plane, *step.path, contour.last))
+            }
+            (None, _) => None,
+        };
+    }
+
+    /// The corner at the end of the block in hand is made in another way.
+    pub fn shape_corner(&mut self, ctx: &mut CtxRef, (outside, inside): (Option<Outside>, Option<Inside>)) {
+        let Some(rules) = ctx.compensation.as_deref().copied() else { return };
+        let (outside, inside) = (outside.unwrap_or(rules.outside), inside.unwrap_or(rules.inside));
+        compensate(ctx, Compensation { outside, inside, own_corner: outside != Outside::default(), ..rules });
+        self.own_corner = OwnCorner::Waits;
+    }
+
+    /// M120: the blocks that are looked ahead from here on.
+    pub fn look_ahead(&mut self, ctx: &mut CtxRef, blocks: u32) {
+        self.look_ahead = blocks;
+        if let Some(rules) = ctx.compensation.as_deref().copied() {
+            compensate(ctx, Compensation { search: self.search(), ..rules });
+        }
+    }
+
+    fn search(&self) -> Search {
+        Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 }
+    }
+
+    /// What holds from block to block, with F where it counts.
+    pub fn modal_rules(&self, ctx: &mut CtxRef, feed: FeedAt) {
+        if let Some(rules) = ctx.compensation.as_deref().copied() {
+            let (search, outside, inside) = (self.search(), Outside::default(), Inside::default());
+            compensate(ctx, Compensation { search, outside, inside, feed, own_corner: false, ..rules });
+        }
+    }
+
+    /// The block of M97, M98 or M197 is over.
+    #[cold]
+    pub fn end_own_corner(&mut self, core: &Core<'_>, ctx: &mut CtxRef, feed: FeedAt, w: &Words) -> Outcome {
+        let own = std::mem::take(&mut self.own_corner);
+        self.modal_rules(ctx, feed);
+        match w.any_m(&[97, 98, 197]) {
+            Some(m) if own == OwnCorner::Waits => core.refuse(m.span, codes::K2607::m_acts_on_corner_at_end(&m.number)),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The compiler compensates by these rules from now on.
+pub(super) fn compensate(ctx: &mut CtxRef, rules: Compensation) {
+    if ctx.compensation.as_deref() != Some(&rules) {
+        *ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(**ctx).clone() });
     }
 }

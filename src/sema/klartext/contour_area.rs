@@ -1,4 +1,4 @@
-//! What cycles 21 to 24 clear: the pockets among the contours that cycle 14 names, less its islands.
+//! The contours that cycles take: pockets less islands for cycles 21 to 24, one contour for cycle 25.
 //!
 //! Source: K 6.6; F B7 (docs/sources.md). How contours that cross are taken together is the HEIDENHAIN manuals' rule of superimposed
 //! contours: it goes by where their start points lie.
@@ -12,9 +12,10 @@ use crate::ir::Side;
 use crate::ir::captured::Captured;
 
 use super::cycles::DefinedCycle;
-use super::cycles::data::NamedContours;
+use super::cycles::data::{Contours, NamedContours, Train};
 use super::labels::Label;
-use super::{Outcome, Reported, Run};
+use super::place::View;
+use super::{Core, Outcome, Reported, Run};
 
 /// Elements that turn by less go on into each other, rad: their points lie on a grid.
 const GOES_ON: f64 = 1e-6;
@@ -52,10 +53,15 @@ impl Run<'_> {
         let mut closed = Vec::with_capacity(contours.labels.len());
         for label in &contours.labels {
             let contour = self.capture(label, cycle.loc)?;
-            self.check_contour(label, &contour)?;
-            closed.push(self.closed_contour(label, &contour)?);
+            self.contours.check(self.view(), label, &contour)?;
+            closed.push(self.contours.closed(&self.core, label, &contour)?);
         }
-        let area = self.taken_together(cycle, contours, &closed)?;
+        let area = taken_together(&closed);
+        let area = area.or_else(|(what, help)| self.contours.no_area(&self.core, cycle, contours, (what, help)))?;
+        let as_named = |chain: &Vec<Element>| closed.iter().any(|one| one.elements == *chain);
+        if !area.outlines.iter().chain(&area.islands).all(as_named) {
+            self.core.job.diags.push_once(codes::K8110::contours_of_cycle_14_cross().at(contours.loc));
+        }
         if corners == 0.0 {
             return Ok(area);
         }
@@ -63,16 +69,36 @@ impl Run<'_> {
             let help = "set Q8 to 0, or take a smaller cutter";
             let what = format!("an inside corner has no room for the radius Q8 = {corners} of the path");
             match &contours.labels[..] {
-                [label] => self.contour_fault(label, &what, help),
-                _ => self.no_area(cycle, contours, &what, help),
+                [label] => self.contours.fault(&self.core, label, &what, help),
+                _ => self.contours.no_area(&self.core, cycle, contours, (what, help)),
             }
         })
     }
 
+    /// The contour that cycle 25 follows: the first one of cycle 14, and what cycle 270 says of it.
+    pub(super) fn train_of(&mut self, cycle: &DefinedCycle, named: &NamedContours) -> Outcome<Train> {
+        if named.labels.len() > 1 {
+            let found = codes::K2954::cycle_25_mills_first_contour_of_cycle().at(self.core.here.origin.loc);
+            self.core.report(found.also(named.loc, diag::Label::NamedHere));
+        }
+        let Some(label) = named.labels.first() else { return Err(Reported) };
+        let contour = self.capture(label, cycle.loc)?;
+        self.contours.check(self.view(), label, &contour)?;
+        let Some(side) = contour.side else {
+            let help = "write RL, RR or nothing into its first block, and nothing after it";
+            return self.contours.fault(&self.core, label, "its side changes", help);
+        };
+        let data = self.contours.train.read(self.reading())?;
+        Ok(Train { elements: contour.pieces.iter().map(|piece| piece.element).collect(), side, data })
+    }
+}
+
+impl Contours {
     /// Elements that make a contour.
-    pub(super) fn check_contour(&mut self, label: &Label, contour: &Captured) -> Outcome {
-        if contour.plane != self.st.plane() || contour.pieces.is_empty() {
-            return self.contour_fault(
+    pub(super) fn check(&self, view: View<'_, '_>, label: &Label, contour: &Captured) -> Outcome {
+        if contour.plane != view.st.plane() || contour.pieces.is_empty() {
+            return self.fault(
+                view.core,
                 label,
                 "it has no element in the working plane",
                 "program its elements after its start point",
@@ -82,15 +108,15 @@ impl Run<'_> {
             && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
         {
             let found = codes::K2951::contour_crosses_itself(&label).at(b.origin.loc).called(b.origin.call);
-            self.core.report(found.also(a.origin.loc, diag::Label::Crosses).help("check the end points of both"));
+            view.core.report(found.also(a.origin.loc, diag::Label::Crosses).help("check the end points of both"));
             return Err(Reported);
         }
         Ok(())
     }
 
-    fn closed_contour<'a>(&mut self, label: &'a Label, contour: &Captured) -> Outcome<Closed<'a>> {
+    fn closed<'a>(&self, core: &Core<'_>, label: &'a Label, contour: &Captured) -> Outcome<Closed<'a>> {
         if !contour.is_closed() {
-            return self.contour_fault(label, "it is not closed", "end it where it starts");
+            return self.fault(core, label, "it is not closed", "end it where it starts");
         }
         let mut elements: Vec<Element> = contour.pieces.iter().map(|piece| piece.element).collect();
         if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = elements.last_mut() {
@@ -104,72 +130,43 @@ impl Run<'_> {
             Some(Side::Right) => !is_counter_clockwise(&elements),
             Some(Side::None) | None => {
                 let help = "write RL or RR into its first block";
-                return self.contour_fault(label, "neither RL nor RR says whether it is a pocket or an island", help);
+                return self.fault(core, label, "neither RL nor RR says whether it is a pocket or an island", help);
             }
         };
         Ok(Closed { label, is_pocket, elements })
     }
+}
 
-    /// Reported for the first of the cycles that take these contours.
-    fn no_area<T>(&mut self, cycle: &DefinedCycle, contours: &NamedContours, what: &str, help: &str) -> Outcome<T> {
-        let why = (contours.loc, what.to_owned());
-        if self.contours.no_area.as_ref() == Some(&why) {
-            return Err(Reported);
+/// All pockets, less all islands; else why they make no area, and what to do.
+fn taken_together(closed: &[Closed<'_>]) -> Result<Area, (String, &'static str)> {
+    for (at, second) in closed.iter().enumerate() {
+        for first in &closed[..at] {
+            belongs_to(first, second)?;
         }
-        self.contours.no_area = Some(why);
-        let found = codes::K2955::cycle(&cycle.number, &what).at(self.core.here.origin.loc);
-        self.core.report(found.also(contours.loc, diag::Label::ContoursNamed).help(help));
-        Err(Reported)
     }
-
-    /// All pockets, less all islands.
-    fn taken_together(
-        &mut self,
-        cycle: &DefinedCycle,
-        contours: &NamedContours,
-        closed: &[Closed<'_>],
-    ) -> Outcome<Area> {
-        for (at, second) in closed.iter().enumerate() {
-            for first in &closed[..at] {
-                if let Err((what, help)) = belongs_to(first, second) {
-                    return self.no_area(cycle, contours, &what, help);
-                }
-            }
-        }
-        let (pockets, islands): (Vec<&Closed<'_>>, Vec<&Closed<'_>>) = closed.iter().partition(|one| one.is_pocket);
-        if pockets.is_empty() {
-            let what = "all of its contours are islands: RL or RR leads the tool outside of them";
-            return self.no_area(cycle, contours, what, "name the pocket around them, or swap RL and RR");
-        }
-        if let Some(alone) = islands.iter().find(|island| !pockets.iter().any(|pocket| pocket.holds(island.start()))) {
-            let what = format!("the island {} does not begin in a pocket", alone.label);
-            let help = "begin it inside a pocket, or leave it out of cycle 14; if it is a pocket, swap RL and RR";
-            return self.no_area(cycle, contours, &what, help);
-        }
-        let elements = |list: &[&Closed<'_>]| list.iter().map(|one| one.elements.clone()).collect::<Vec<_>>();
-        let area = overlay(&elements(&pockets), &elements(&islands)).or_else(|Touching(first, second)| {
-            let named: Vec<&Closed<'_>> = pockets.iter().chain(&islands).copied().collect();
-            let what = match (named.get(first), named.get(second)) {
-                (Some(first), Some(second)) => touch(first, second),
-                _ => "contours touch".to_owned(),
-            };
-            self.no_area(cycle, contours, &what, APART)
-        })?;
-        if area.outlines.is_empty() {
-            return self.no_area(cycle, contours, "the islands take up all of the pockets", "check RL and RR");
-        }
-        let as_named = |chain: &Vec<Element>| closed.iter().any(|one| one.elements == *chain);
-        if !area.outlines.iter().chain(&area.islands).all(as_named) {
-            self.say_that_they_cross(contours);
-        }
-        Ok(area)
+    let (pockets, islands): (Vec<&Closed<'_>>, Vec<&Closed<'_>>) = closed.iter().partition(|one| one.is_pocket);
+    if pockets.is_empty() {
+        let what = "all of its contours are islands: RL or RR leads the tool outside of them";
+        return Err((what.to_owned(), "name the pocket around them, or swap RL and RR"));
     }
-
-    #[cold]
-    fn say_that_they_cross(&mut self, contours: &NamedContours) {
-        let found = codes::K8110::contours_of_cycle_14_cross().at(contours.loc);
-        self.core.job.diags.push_once(found);
+    if let Some(alone) = islands.iter().find(|island| !pockets.iter().any(|pocket| pocket.holds(island.start()))) {
+        let what = format!("the island {} does not begin in a pocket", alone.label);
+        let help = "begin it inside a pocket, or leave it out of cycle 14; if it is a pocket, swap RL and RR";
+        return Err((what, help));
     }
+    let elements = |list: &[&Closed<'_>]| list.iter().map(|one| one.elements.clone()).collect::<Vec<_>>();
+    let area = overlay(&elements(&pockets), &elements(&islands)).map_err(|Touching(first, second)| {
+        let named: Vec<&Closed<'_>> = pockets.iter().chain(&islands).copied().collect();
+        let what = match (named.get(first), named.get(second)) {
+            (Some(first), Some(second)) => touch(first, second),
+            _ => "contours touch".to_owned(),
+        };
+        (what, APART)
+    })?;
+    if area.outlines.is_empty() {
+        return Err(("the islands take up all of the pockets".to_owned(), "check RL and RR"));
+    }
+    Ok(area)
 }
 
 const APART: &str = "let them cross clearly, or draw one contour around both";

@@ -2,6 +2,8 @@
 //!
 //! Source: K 4.4, 6.0 (docs/sources.md). The parameters from Q200 on stay variables: a call takes what they hold then.
 
+use std::rc::Rc;
+
 use crate::diag::{Fault, Label, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::AxisSet;
@@ -11,53 +13,17 @@ use crate::sema::cycle::row::{Name, Parameter};
 use crate::sema::run::Where;
 
 use super::cycles::call::{Calling, CycleCall, Heights, Instead, Seen};
-use super::cycles::data::{Contoured, Kept};
+use super::cycles::data::{Contoured, Kept, Values};
 use super::cycles::{DefinedCycle, Nature, Planned, Requires};
 use super::known::Known;
-use super::{Outcome, Reported, Run};
+use super::place::View;
+use super::reading::Reading;
+use super::{Core, Outcome, Reported, Run};
 
 impl Run<'_> {
-    // The definition.
-
-    /// Are all parameters of the definition there? Looked at when it is complete.
-    pub(super) fn check_definition(&mut self, cycle: &DefinedCycle) -> Outcome {
-        let row = cycle.row();
-        if !row.nature.runs() {
-            return Ok(());
-        }
-        if row.has_parts(cycle.number) {
-            let Some(missing) = row.needed().find(|name| !cycle.gives(*name)) else { return Ok(()) };
-            return self.core.refuse(Where::Block, codes::K2402::cycle_lacks_value_of_part(&cycle.number, &missing));
-        }
-        self.all_are_set(cycle)
-    }
-
-    /// Every Q parameter that the cycle needs.
-    pub(super) fn all_are_set(&self, cycle: &DefinedCycle) -> Outcome {
-        let needed = cycle.row().needed();
-        let missing: Vec<String> = needed.filter(|name| !cycle.gives(*name)).map(|name| name.to_string()).collect();
-        if missing.is_empty() {
-            return Ok(());
-        }
-        let of = format_args!("cycle {}", cycle.number);
-        self.core.refuse(Where::Block, codes::K2402::lacks_so_program_all(&of, &missing.join(", ")))
-    }
-
-    /// Q parameters have no unit: those of a definition count in the unit of its program, which a call has to share.
-    pub(super) fn same_unit(&mut self, cycle: &DefinedCycle) -> Outcome {
-        if cycle.mm == self.core.level().frame.unit.mm() {
-            return Ok(());
-        }
-        let fault = codes::K2947::cycle_is_called_in_program_of_another(&cycle.number);
-        self.core.report(fault.at(self.core.here.origin.loc).also(cycle.loc, Label::CycleDefined));
-        Err(Reported)
-    }
-
-    // The call.
-
     /// Runs the cycle where the tool stands.
     pub(super) fn run_cycle(&mut self, cycle: &DefinedCycle, calling: Calling) -> Outcome {
-        self.same_unit(cycle)?;
+        cycle.same_unit(&self.core)?;
         let contours = self.requirements(cycle, calling)?;
         let given = self.checked(cycle)?;
         self.run_planned(cycle, &given, calling, contours)
@@ -65,7 +31,7 @@ impl Run<'_> {
 
     /// What the parameters hold now, which is what the row asks for.
     pub(super) fn checked(&mut self, cycle: &DefinedCycle) -> Outcome<Given> {
-        let given = self.given_of(cycle)?;
+        let given = cycle.given(self.reading())?;
         self.planned(cycle, &given, Calling::HERE, None, |call| call.fits())?;
         Ok(given)
     }
@@ -92,66 +58,38 @@ impl Run<'_> {
         self.send_planned(cycle, planned)
     }
 
-    /// What the parameters hold now.
-    pub(super) fn given_of(&mut self, cycle: &DefinedCycle) -> Outcome<Given> {
-        let row = cycle.row();
-        let called = format!("cycle {}", cycle.number);
-        let mut given = Given::new(&row.signature, called, Where::Block, cycle.mm);
-        for parameter in row.signature.parameters {
-            let value = self.value_of(cycle, parameter)?;
-            given.push(value, Where::Block);
-        }
-        Ok(given)
-    }
-
-    fn value_of(&mut self, cycle: &DefinedCycle, parameter: &Parameter) -> Outcome<Value> {
-        let name = parameter.name;
-        if parameter.without_effect.is_some() || !cycle.gives(name) {
-            return Ok(Value::Missing);
-        }
-        let Name::Q(number) = name else {
-            return Ok(cycle.in_definition(name).map_or(Value::Missing, Value::Number));
-        };
-        match cycle.word(name) {
-            Some(word) => Ok(Value::Word(word)),
-            None => {
-                let span = self.core.block_span();
-                self.parameter(QRef { kind: QKind::Q, number }, span).map(Value::Number)
-            }
-        }
-    }
-
     /// What has to hold where the cycle is called, and the contours and data that it takes.
     fn requirements(&mut self, cycle: &DefinedCycle, calling: Calling) -> Outcome<Option<Contoured>> {
         let mut contours = None;
         for requires in cycle.row().requires {
             match requires {
                 Requires::NoCompensation if self.st.compensation.is_on() => {
-                    self.core.say_here(codes::K2407::cycle_is_called_while_rl_or_rr());
-                    return Err(Reported);
+                    return self.core.refuse(Where::Block, codes::K2407::cycle_is_called_while_rl_or_rr());
                 }
                 Requires::Turning if !self.st.spindle.turns() => {
-                    return self.refuse_as_is(cycle, codes::K2405::spindle_does_not_turn_at_this_cycle());
+                    return cycle.refuse_as_is(&self.core, codes::K2405::spindle_does_not_turn_at_this_cycle());
                 }
                 Requires::Speed if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) => {
-                    return self.refuse_as_is(cycle, codes::K2405::spindle_has_no_speed_at_this_cycle());
+                    return cycle.refuse_as_is(&self.core, codes::K2405::spindle_has_no_speed_at_this_cycle());
                 }
                 Requires::ToolChange => {
-                    self.cuts_now()?;
+                    self.st.tool.cuts_now(&self.core)?;
                     if self.st.feed.plunge_share().is_some() {
                         self.core.say_here(codes::K2709::m103_does_not_change_feeds());
                     }
                 }
                 Requires::NoScaling if self.st.frames.transform().scales() => {
-                    return self.refuse_cycle(cycle, codes::P9010::tapping_under_scaling());
+                    return cycle.refuse(&self.core, codes::P9010::tapping_under_scaling());
                 }
-                Requires::CutterUnscaled => self.frame_keeps_the_cutter(cycle)?,
+                Requires::CutterUnscaled => cycle.keeps_the_cutter(self.view())?,
                 Requires::Contours => {
-                    let named = self.named_contours(cycle, calling)?;
+                    let named = self.contours.taken(&self.core, cycle, calling)?;
                     contours = Some(Contoured { named, data: None, area: None, train: None });
                 }
                 Requires::PocketData => {
-                    let data = self.pocket_data(cycle)?;
+                    let Some(data) = self.contours.pocket.read(self.reading())? else {
+                        return cycle.refuse(&self.core, codes::K2952::there_is_no_contour_data());
+                    };
                     if let Some(contours) = &mut contours {
                         contours.data = Some(data);
                     }
@@ -160,7 +98,7 @@ impl Run<'_> {
             }
         }
         if cycle.row().drills() {
-            self.leave_open_end(AxisSet::EMPTY, false);
+            self.st.leave_open_end(&self.core, AxisSet::EMPTY, false);
         }
         Ok(contours)
     }
@@ -175,44 +113,36 @@ impl Run<'_> {
         plan: impl Fn(&CycleCall<'_>) -> Made<T>,
     ) -> Outcome<T> {
         loop {
-            let (made, lacks) = self.plan_once(cycle, given, calling, contours.as_ref(), &plan);
+            let seen = Seen {
+                cycle,
+                calling,
+                state: &self.st,
+                radius_of: &|number| match self.st.tool.is_measured() {
+                    true => None,
+                    false => self.tools.radius_of(&self.core, number),
+                },
+                contours: contours.as_ref(),
+                roughed: &self.contours.roughed,
+                instead: None.into(),
+                at_definition: Vec::new().into(),
+            };
+            let call = CycleCall::new(given, &seen, self.core.job.settings);
+            let made = plan(&call);
+            for fault in seen.at_definition.take() {
+                self.core.report(fault.at(cycle.loc));
+            }
+            for remark in call.remarks() {
+                let found = remark.fault.at(self.core.loc(remark.place)).also(cycle.loc, Label::CycleDefined);
+                if remark.kind == Kind::Once { self.core.report_once(found) } else { self.core.report(found) }
+            }
+            let lacks = seen.instead.take();
             match (made, lacks) {
                 (Ok(made), _) => return Ok(made),
-                (Err(Refusal::Fault(place, fault)), _) => return self.refuse_call(cycle, place, *fault),
+                (Err(Refusal::Fault(place, fault)), _) => return cycle.refuse_at(&self.core, place, *fault),
                 (Err(Refusal::Known), None) => return Err(Reported),
                 (Err(Refusal::Known), Some(lacks)) => self.provide(cycle, given, contours.as_mut(), lacks)?,
             }
         }
-    }
-
-    fn plan_once<T>(
-        &self,
-        cycle: &DefinedCycle,
-        given: &Given,
-        calling: Calling,
-        contours: Option<&Contoured>,
-        plan: &impl Fn(&CycleCall<'_>) -> Made<T>,
-    ) -> (Made<T>, Option<Instead>) {
-        let seen = Seen {
-            cycle,
-            calling,
-            state: &self.st,
-            radius_of: &|number| self.radius_by_number(number),
-            contours,
-            roughed: &self.contours.roughed,
-            instead: None.into(),
-            at_definition: Vec::new().into(),
-        };
-        let call = CycleCall::new(given, &seen, self.core.job.settings);
-        let made = plan(&call);
-        for fault in seen.at_definition.take() {
-            self.core.report(fault.at(cycle.loc));
-        }
-        for remark in call.remarks() {
-            let found = remark.fault.at(self.core.loc(remark.place)).also(cycle.loc, Label::CycleDefined);
-            if remark.kind == Kind::Once { self.core.report_once(found) } else { self.core.report(found) }
-        }
-        (made, seen.instead.take())
     }
 
     /// Gets what a plan cannot go on without, or says that it is not to be had.
@@ -225,9 +155,9 @@ impl Run<'_> {
     ) -> Outcome {
         let span = self.core.block_span();
         match (lacks, contours) {
-            (Instead::Position(axis), _) => self.position_of(axis, span, &given.called).and(Err(Reported)),
-            (Instead::Radius, _) => self.tool_radius(span).and(Err(Reported)),
-            (Instead::Teeth, _) => self.feed_of_teeth(1.0, span).and(Err(Reported)),
+            (Instead::Position(axis), _) => self.view().position_of(axis, span, &given.called).and(Err(Reported)),
+            (Instead::Radius, _) => self.st.tool.radius(&self.core, span).and(Err(Reported)),
+            (Instead::Teeth, _) => self.st.tool.feed_of_teeth(&self.core, 1.0, span).and(Err(Reported)),
             (Instead::Area { corners, away }, Some(contours)) => {
                 contours.area = Some(self.contour_area(cycle, &contours.named, (corners, away))?);
                 Ok(())
@@ -236,58 +166,138 @@ impl Run<'_> {
                 contours.train = Some(self.train_of(cycle, &contours.named)?);
                 Ok(())
             }
-            (Instead::Data(fault), Some(Contoured { data: Some(data), .. })) => self.refuse_data(data, *fault),
+            (Instead::Data(fault), Some(Contoured { data: Some(data), .. })) => {
+                data.values.cycle.refuse(&self.core, *fault)
+            }
             (Instead::Data(fault), Some(Contoured { train: Some(train), .. })) => match &train.data {
-                Some(data) => self.refuse_data(data, *fault),
+                Some(data) => data.values.cycle.refuse(&self.core, *fault),
                 None => Err(Reported),
             },
             (Instead::Area { .. } | Instead::Train | Instead::Data(_), _) => Err(Reported),
         }
     }
+}
 
-    fn refuse_data(&self, data: &Kept, fault: Fault) -> Outcome {
-        self.refuse_cycle(&data.values.cycle, fault)
+impl DefinedCycle {
+    // The definition.
+
+    /// Are all parameters of the definition there? Looked at when it is complete.
+    pub(super) fn check(&self, core: &Core<'_>) -> Outcome {
+        let row = self.row();
+        if !row.nature.runs() {
+            return Ok(());
+        }
+        if row.has_parts(self.number) {
+            let Some(missing) = row.needed().find(|name| !self.gives(*name)) else { return Ok(()) };
+            return core.refuse(Where::Block, codes::K2402::cycle_lacks_value_of_part(&self.number, &missing));
+        }
+        self.all_are_set(core)
     }
 
-    // What is said.
+    /// Every Q parameter that the cycle needs.
+    pub(super) fn all_are_set(&self, core: &Core<'_>) -> Outcome {
+        let needed = self.row().needed();
+        let missing: Vec<String> = needed.filter(|name| !self.gives(*name)).map(|name| name.to_string()).collect();
+        if missing.is_empty() {
+            return Ok(());
+        }
+        let of = format_args!("cycle {}", self.number);
+        core.refuse(Where::Block, codes::K2402::lacks_so_program_all(&of, &missing.join(", ")))
+    }
+
+    /// Q parameters have no unit: those of a definition count in the unit of its program, which a call has to share.
+    pub(super) fn same_unit(&self, core: &Core<'_>) -> Outcome {
+        if self.mm == core.mm() {
+            return Ok(());
+        }
+        let fault = codes::K2947::cycle_is_called_in_program_of_another(&self.number);
+        core.report(fault.at(core.here.origin.loc).also(self.loc, Label::CycleDefined));
+        Err(Reported)
+    }
+
+    // The call.
+
+    /// What the parameters hold now.
+    pub(super) fn given(&self, reading: Reading<'_, '_>) -> Outcome<Given> {
+        let row = self.row();
+        let called = format!("cycle {}", self.number);
+        let mut given = Given::new(&row.signature, called, Where::Block, self.mm);
+        for parameter in row.signature.parameters {
+            given.push(self.value(reading, parameter)?, Where::Block);
+        }
+        Ok(given)
+    }
+
+    fn value(&self, reading: Reading<'_, '_>, parameter: &Parameter) -> Outcome<Value> {
+        let name = parameter.name;
+        if parameter.without_effect.is_some() || !self.gives(name) {
+            return Ok(Value::Missing);
+        }
+        let Name::Q(number) = name else {
+            return Ok(self.in_definition(name).map_or(Value::Missing, Value::Number));
+        };
+        match self.word(name) {
+            Some(word) => Ok(Value::Word(word)),
+            None => {
+                let q = QRef { kind: QKind::Q, number };
+                reading.parameter(q, reading.core.block_span()).map(Value::Number)
+            }
+        }
+    }
 
     /// The heights that Q200, Q203 and Q204 give.
-    pub(super) fn heights(&self, cycle: &DefinedCycle, given: &Given, shift: f64) -> Heights {
+    pub(super) fn heights(&self, core: &Core<'_>, given: &Given, shift: f64) -> Heights {
         if let Some(fault) = Heights::low_second(given) {
-            self.core.report(fault.at(self.core.here.origin.loc).also(cycle.loc, Label::CycleDefined));
+            core.report(fault.at(core.here.origin.loc).also(self.loc, Label::CycleDefined));
         }
         Heights::of(given, shift)
     }
 
-    /// Refuses the call of a cycle.
-    pub(super) fn refuse_cycle<T>(&self, cycle: &DefinedCycle, fault: Fault) -> Outcome<T> {
-        self.refuse_as_is(cycle, fault.of(format_args!("cycle {}", cycle.number)))
+    /// The tool has the size that it has: a frame may shift, turn and mirror in the plane.
+    fn keeps_the_cutter(&self, view: View<'_, '_>) -> Outcome {
+        let (frame, plane) = (&view.st.ctx.frame, view.st.plane());
+        if !frame.is_unscaled() {
+            return self.refuse(view.core, codes::K9030::milling_under_scaling());
+        }
+        if !frame.keeps_axis_across(plane) {
+            return self.refuse(view.core, codes::K9030::milling_with_mirrored_tool_axis());
+        }
+        Ok(())
+    }
+
+    // What is said.
+
+    /// Refuses the call of the cycle.
+    pub(super) fn refuse<T>(&self, core: &Core<'_>, fault: Fault) -> Outcome<T> {
+        self.refuse_as_is(core, fault.of(format_args!("cycle {}", self.number)))
     }
 
     /// The same by a text that does not begin with the cycle, or does so already.
-    pub(super) fn refuse_as_is<T>(&self, cycle: &DefinedCycle, fault: Fault) -> Outcome<T> {
-        self.refuse_call(cycle, Where::Block, fault)
+    fn refuse_as_is<T>(&self, core: &Core<'_>, fault: Fault) -> Outcome<T> {
+        self.refuse_at(core, Where::Block, fault)
     }
 
-    fn refuse_call<T>(&self, cycle: &DefinedCycle, place: Where, mut fault: Fault) -> Outcome<T> {
+    fn refuse_at<T>(&self, core: &Core<'_>, place: Where, mut fault: Fault) -> Outcome<T> {
         if fault.raised.code == codes::P2090 && fault.help.is_none() {
             let told = fault.message.split_once(": ").map_or(fault.message.as_str(), |(_, told)| told);
-            let help = check_the_values(cycle.mm, told);
+            let help = check_the_values(self.mm, told);
             fault = fault.help(help);
         }
-        self.core.report_cause(fault.at(self.core.loc(place)).also(cycle.loc, Label::CycleDefined));
+        core.report_cause(fault.at(core.loc(place)).also(self.loc, Label::CycleDefined));
         Err(Reported)
     }
+}
 
+impl Known<Values> {
     /// The data of cycle 20 or 270 as they are now.
-    pub(super) fn kept(&mut self, values: &Known<super::cycles::data::Values>) -> Outcome<Option<Kept>> {
-        match values {
+    pub(super) fn read(&self, reading: Reading<'_, '_>) -> Outcome<Option<Kept>> {
+        match self {
             Known::Nothing => Ok(None),
             Known::Lost => Err(Reported),
             Known::Given(values) => {
-                self.same_unit(&values.cycle)?;
-                let given = self.given_of(&values.cycle)?;
-                Ok(Some(Kept { values: std::rc::Rc::clone(values), given }))
+                values.cycle.same_unit(reading.core)?;
+                let given = values.cycle.given(reading)?;
+                Ok(Some(Kept { values: Rc::clone(values), given }))
             }
         }
     }

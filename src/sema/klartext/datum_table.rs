@@ -4,16 +4,16 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Fault, codes};
+use crate::diag::{Answer, codes};
 use crate::machine::table::{self, Kind, Place};
 use crate::machine::{Axis, Unit};
-use crate::sema::run::{Wanted, open_program};
+use crate::sema::run::{Wanted, Where, open_program};
 use crate::text::{Loc, Within};
 
 use super::cycle_definition::{AxisValue, Open};
 use super::cycles::machining::shown;
 use super::point_table::whole_file;
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported};
 
 /// Largest number of a row.
 const MOST_ROWS: f64 = 2999.0;
@@ -37,125 +37,107 @@ impl DatumTable {
     pub fn select(&mut self, name: String, from: Loc) {
         *self = DatumTable { selected: Some((name, from)), read: None, lost: false };
     }
-}
 
-impl Run<'_> {
-    /// Cycle 7 with `#5`.
-    pub(super) fn shift_by_row(&mut self, open: &Open) -> Outcome {
-        let row = match open.values.as_slice() {
-            [row] if row.label == "#" => Some(row),
-            _ => None,
+    /// The shift of cycle 7: of the axes that it names, or by a row, `#5`.
+    pub fn axes_of(&mut self, core: &Core<'_>, open: &Open) -> Outcome<Vec<AxisValue>> {
+        let fault = match (open.table_row, open.values.as_slice()) {
+            (false, _) if open.axes.is_empty() => codes::K2402::cycle_7_names_no_axis(),
+            (false, _) => return Ok(open.axes.clone()),
+            (true, _) if !open.axes.is_empty() => codes::K2402::cycle_7_has_row_of_table(),
+            (true, [row]) if row.label == "#" => return self.row(core, row.value),
+            (true, _) => codes::K2402::cycle_7_does_not_name_one_row(),
         };
-        if !open.axes.is_empty() {
-            return self.core.refuse(self.core.block_span(), codes::K2402::cycle_7_has_row_of_table());
-        }
-        let Some(row) = row.map(|row| row.value) else {
-            return self.core.refuse(self.core.block_span(), codes::K2402::cycle_7_does_not_name_one_row());
-        };
-        self.take_datum_row(row)
+        core.refuse(Where::Block, fault)
     }
 
     /// The shift of a row.
-    pub(super) fn take_datum_row(&mut self, number: f64) -> Outcome {
+    pub fn row(&mut self, core: &Core<'_>, number: f64) -> Outcome<Vec<AxisValue>> {
         if number.fract() != 0.0 || !(0.0..=MOST_ROWS).contains(&number) {
-            return self.core.refuse(self.core.block_span(), codes::K2402::is_no_row_of_datum_table(&number));
+            return core.refuse(Where::Block, codes::K2402::is_no_row_of_datum_table(&number));
         }
-        let rows = self.datum_rows()?;
+        let rows = self.rows(core)?;
         let found: Vec<&Place> = rows.list.iter().filter(|row| row.number == Some(number as u32)).collect();
         let row = match found.as_slice() {
             [row] => *row,
             [] => {
-                return self.no_datum(codes::K2948::table_has_no_row(&number));
+                return core.refuse(Where::Block, codes::K2948::table_has_no_row(&number));
             }
-            _ => return self.no_datum(codes::K2948::table_has_several_rows(&number)),
+            _ => return core.refuse(Where::Block, codes::K2948::table_has_several_rows(&number)),
         };
-        let unit = self.core.level().frame.unit;
-        if rows.unit != Some(unit) {
-            return self.no_datum(codes::K2948::table_and_program_have_different_units());
+        if rows.unit != Some(core.unit()) {
+            return core.refuse(Where::Block, codes::K2948::table_and_program_have_different_units());
         }
-        let axes = self.axes_of_row(row)?;
+        let axes = axes_of_row(core, row)?;
         let shown: Vec<String> =
             axes.iter().filter_map(|axis| Some(format!("{}{}", axis.axis.letter(), shown(axis.value?)))).collect();
-        self.core
-            .report(codes::K2513::row_of_datum_table_shifts(&number, &shown.join(" ")).at(self.core.here.origin.loc));
-        self.shift(&axes)
-    }
-
-    fn axes_of_row(&mut self, row: &Place) -> Outcome<Vec<AxisValue>> {
-        let number = row.number.unwrap_or_default();
-        if let Some(title) = &row.unknown {
-            return self.no_datum(codes::K2948::row_has_value_under_unknown_title(&number, &title));
-        }
-        if row.rotation != 0.0 {
-            return self.no_datum(codes::K2948::row_has_rotation(&number));
-        }
-        let mm = self.core.level().frame.unit.mm();
-        let loc = self.core.here.origin.loc;
-        let mut axes = Vec::new();
-        for axis in Axis::ALL {
-            let value = row.values.get(&axis).copied();
-            if value.is_none() && axis.is_main() {
-                return self.no_datum(codes::K2948::row_has_no_value(&number, &axis.letter()));
-            }
-            // Axes beside X, Y and Z are shifted only where the table says so.
-            let Some(value) = value.filter(|value| axis.is_main() || *value != 0.0) else { continue };
-            if !axis.is_main() && !axis.is_rotary() {
-                return self.no_datum(codes::K2948::row_shifts(&number, &axis.letter()));
-            }
-            let value = if axis.is_rotary() { value } else { value / mm };
-            axes.push(AxisValue { axis, incremental: false, value: Some(value), loc });
-        }
+        core.say_here(codes::K2513::row_of_datum_table_shifts(&number, &shown.join(" ")));
         Ok(axes)
     }
 
-    fn datum_rows(&mut self) -> Outcome<Rc<Rows>> {
-        if self.datum_table.lost {
+    fn rows(&mut self, core: &Core<'_>) -> Outcome<Rc<Rows>> {
+        if self.lost {
             return Err(Reported);
         }
-        if let Some(rows) = &self.datum_table.read {
+        if let Some(rows) = &self.read {
             return Ok(Rc::clone(rows));
         }
-        self.datum_table.lost = true;
-        let Some((name, from)) = self.datum_table.selected.clone() else {
-            if let Some(known) = self.core.job.settings.datums.table.clone() {
+        self.lost = true;
+        let Some((name, from)) = self.selected.clone() else {
+            if let Some(known) = core.job.settings.datums.table.clone() {
                 return Ok(self.keep_rows(known.unit, known.places));
             }
-            self.core.report(
-                codes::K9012::no_datum_table_is_selected().answer(Answer::key("control", "datum_table")).at(self
-                    .core
-                    .here
-                    .origin
-                    .loc),
-            );
-            return Err(Reported);
+            let fault = codes::K9012::no_datum_table_is_selected();
+            return core.refuse(Where::Block, fault.answer(Answer::key("control", "datum_table")));
         };
         let wanted = Wanted { name: &name, extensions: &["D", "d"], within: Within::Caller };
-        let file = open_program(&self.core.job, &wanted, from, self.core.here.origin.call).ok_or(Reported)?;
-        let text = match whole_file(self.core.job.sources, file) {
+        let file = open_program(&core.job, &wanted, from, core.here.origin.call).ok_or(Reported)?;
+        let text = match whole_file(core.job.sources, file) {
             Ok(text) => text,
-            Err(what) => return self.no_datum(codes::K2948::table_is_not_read(&name, &what)),
+            Err(what) => return core.refuse(Where::Block, codes::K2948::table_is_not_read(&name, &what)),
         };
         let contents = match table::read(&text) {
             Ok(contents) => contents,
             Err(wrong) => {
-                return self.no_datum(codes::K2948::line_of_table(&wrong.line, &name, &wrong.message));
+                return core.refuse(Where::Block, codes::K2948::line_of_table(&wrong.line, &name, &wrong.message));
             }
         };
         if contents.kind != Kind::Datums {
-            return self.no_datum(codes::K2948::is_another_table(&name, &contents.kind.name()));
+            return core.refuse(Where::Block, codes::K2948::is_another_table(&name, &contents.kind.name()));
         }
         Ok(self.keep_rows(contents.unit, contents.places))
     }
 
     fn keep_rows(&mut self, unit: Option<Unit>, list: Vec<Place>) -> Rc<Rows> {
-        self.datum_table.lost = false;
+        self.lost = false;
         let rows = Rc::new(Rows { unit, list });
-        self.datum_table.read = Some(Rc::clone(&rows));
+        self.read = Some(Rc::clone(&rows));
         rows
     }
+}
 
-    fn no_datum<T>(&self, fault: Fault) -> Outcome<T> {
-        self.core.report(fault.at(self.core.here.origin.loc));
-        Err(Reported)
+fn axes_of_row(core: &Core<'_>, row: &Place) -> Outcome<Vec<AxisValue>> {
+    let number = row.number.unwrap_or_default();
+    if let Some(title) = &row.unknown {
+        return core.refuse(Where::Block, codes::K2948::row_has_value_under_unknown_title(&number, &title));
     }
+    if row.rotation != 0.0 {
+        return core.refuse(Where::Block, codes::K2948::row_has_rotation(&number));
+    }
+    let mm = core.mm();
+    let loc = core.here.origin.loc;
+    let mut axes = Vec::new();
+    for axis in Axis::ALL {
+        let value = row.values.get(&axis).copied();
+        if value.is_none() && axis.is_main() {
+            return core.refuse(Where::Block, codes::K2948::row_has_no_value(&number, &axis.letter()));
+        }
+        // Axes beside X, Y and Z are shifted only where the table says so.
+        let Some(value) = value.filter(|value| axis.is_main() || *value != 0.0) else { continue };
+        if !axis.is_main() && !axis.is_rotary() {
+            return core.refuse(Where::Block, codes::K2948::row_shifts(&number, &axis.letter()));
+        }
+        let value = if axis.is_rotary() { value } else { value / mm };
+        axes.push(AxisValue { axis, incremental: false, value: Some(value), loc });
+    }
+    Ok(axes)
 }

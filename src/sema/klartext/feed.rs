@@ -2,16 +2,19 @@
 //!
 //! Source: K 1.8 and 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::compensation::FeedAt;
-use crate::ir::{Feed, Pos};
+use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
 use crate::sema::common::feed::{FeedKind, ModalFeed};
+use crate::sema::common::position::Position;
+use crate::sema::run::Where;
 use crate::text::{Loc, Span};
 
-use super::words::{FeedWord, Words};
-use super::{Outcome, Reported, Run};
+use super::active_tool::ToolState;
+use super::words::{FeedWord, MWord, Words};
+use super::{Core, Outcome, Reported};
 
 /// Feed words in an INCH program count tenths of an inch.
 const INCH_FEED: f64 = 25.4 / 10.0;
@@ -38,7 +41,7 @@ impl ToolFeed {
 }
 
 /// What F and its M functions say.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct FeedState {
     modal: ModalFeed,
     /// Number of the feed word in force, as written: what a move of rotary axes alone takes as degrees.
@@ -59,6 +62,21 @@ pub(super) struct FeedState {
     pub last_rapid: bool,
     /// What is in force, or missing, is the feed at the start.
     is_of_start: bool,
+    /// A program that is left out and may have left another feed.
+    left: Option<Box<FeedLeft>>,
+    /// A contour is described: its feeds do not count.
+    described: bool,
+}
+
+/// A call that is left out, where nothing says what feed it leaves.
+#[derive(Debug, Clone)]
+struct FeedLeft {
+    name: String,
+    /// The entry of `[programs]` that would say it.
+    key: String,
+    call: Loc,
+    /// The feed that it leaves is another one, and not known.
+    lost: bool,
 }
 
 impl FeedState {
@@ -74,6 +92,8 @@ impl FeedState {
             at: FeedAt::Centre,
             last_rapid: false,
             is_of_start: true,
+            left: None,
+            described: false,
         }
     }
 
@@ -87,11 +107,12 @@ impl FeedState {
     }
 
     /// A feed word as it counts now.
-    pub fn counted(&self, value: f64, inch: bool) -> Feed {
+    #[inline]
+    pub fn counted(&self, value: f64, unit: Unit) -> Feed {
         if self.is_per_revolution() {
             return Feed::PerRevolution(value);
         }
-        Feed::PerMinute(if inch { value * INCH_FEED } else { value })
+        Feed::PerMinute(if unit == Unit::Inch { value * INCH_FEED } else { value })
     }
 
     /// Was it meant per minute, and counts per revolution?
@@ -138,22 +159,16 @@ impl FeedState {
         self.of_tool = feed.map(ToolFeed::minutes);
     }
 
-    /// A cycle that is left out leaves a feed that is not known.
-    pub fn forget(&mut self) {
-        self.modal = ModalFeed::new(None, Some(FeedKind::per_revolution(self.modal.is_per_revolution())));
-        self.per_tooth = false;
-        self.of_before_call = false;
-        self.is_of_start = false;
-    }
-
-    /// A program is left out that may leave another feed.
-    pub fn left_by_call(&mut self) {
+    /// The program `name`, which `[programs]` knows as `key`, is left out at `call`: it may leave another feed, or leaves one that
+    /// is not known.
+    pub fn left_by_call(&mut self, name: &str, key: String, call: Loc, lost: bool) {
+        if lost {
+            self.modal = ModalFeed::new(None, Some(FeedKind::per_revolution(self.modal.is_per_revolution())));
+            self.per_tooth = false;
+            self.is_of_start = false;
+        }
         self.of_before_call = true;
-    }
-
-    /// That the feed is one of before such a call was said.
-    pub fn took_left(&mut self) {
-        self.of_before_call = false;
+        self.left = Some(Box::new(FeedLeft { name: name.to_owned(), key, call, lost }));
     }
 
     /// Does such a program stand between F and here?
@@ -162,9 +177,11 @@ impl FeedState {
         self.of_before_call
     }
 
-    /// Feeds do not count: one that is missing is not worth a report.
-    pub fn presume(&mut self) {
+    /// A contour is described from here on: its feeds do not count, and one that is missing is not worth a report.
+    pub fn describe(&mut self) {
         self.modal.presume();
+        self.plunge_share = None;
+        self.described = true;
     }
 
     /// M136 and M137
@@ -172,214 +189,183 @@ impl FeedState {
         self.is_of_start &= !per_revolution && !self.modal.is_per_revolution();
         self.modal.switch(FeedKind::per_revolution(per_revolution));
     }
-
-    /// M103
-    pub fn share_plunges(&mut self, share: Option<f64>) {
-        self.plunge_share = share;
-    }
 }
 
-impl Run<'_> {
-    pub(super) fn set_feed(&mut self, w: &Words) -> Outcome {
-        if self.is_capturing() {
-            self.feed_in_contour(w);
-            return Ok(());
-        }
-        let mm = self.core.level().frame.unit.mm();
+impl FeedState {
+    /// F of a block in force from here on. Feeds in a contour that is described do not count.
+    pub fn take(&mut self, core: &Core<'_>, tool: &ToolState, w: &Words) -> Outcome {
+        let mm = core.mm();
         let (feed, written) = match w.feed {
             FeedWord::None | FeedWord::Max => return Ok(()),
             FeedWord::Value(f) => {
-                self.large_per_revolution(self.core.loc(w.feed_span), f);
-                (self.feed_of(f), f)
+                self.warn_of_large(core, w.feed_span, f);
+                (self.counted(f, core.unit()), f)
             }
             FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f / mm),
             FeedWord::PerTooth(f) => {
-                let feed = self.feed_of_teeth(f, w.feed_span)?;
+                let feed = tool.feed_of_teeth(core, f, w.feed_span)?;
                 (feed, feed.value() / mm)
             }
-            FeedWord::Auto => match self.st.feed.of_tool {
-                Some(ToolFeed { feed: Feed::PerMinute(_), .. }) if self.st.feed.is_per_revolution() => {
-                    return self.core.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts());
-                }
-                Some(ToolFeed { feed: Feed::PerRevolution(_), by_word: false, .. })
-                    if !self.st.feed.is_per_revolution() =>
-                {
-                    return self.core.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts_per());
-                }
-                Some(feed) => (feed.feed, feed.written),
-                None => {
-                    return self.core.refuse(
-                        w.feed_span,
-                        codes::K2003::last_tool_call_has_no_f().answer(Answer::key("control", "feed")),
-                    );
-                }
-            },
+            FeedWord::Auto => self.of_last_call(core, w.feed_span)?,
         };
         if feed.value() <= 0.0 {
-            return self.feed_not_positive(w.feed_span, written);
+            return core.feed_not_positive(w.feed_span, written);
         }
-        self.st.feed.program(feed, written);
-        self.st.feed.per_tooth = match w.feed {
+        self.program(feed, written);
+        self.per_tooth = match w.feed {
             FeedWord::PerTooth(_) => true,
-            FeedWord::Auto => self.st.feed.of_tool.is_some_and(|feed| feed.per_tooth),
+            FeedWord::Auto => self.of_tool.is_some_and(|feed| feed.per_tooth),
             _ => false,
         };
         Ok(())
     }
 
-    /// FZ: `feed` mm for each tooth of the tool in the spindle.
-    pub(super) fn feed_of_teeth(&mut self, feed: f64, span: Span) -> Outcome<Feed> {
-        let Some(tool) = self.st.tool.active() else {
-            return self.core.refuse(span, codes::K9013::fz_is_feed_per_tooth_and_no());
+    /// F AUTO: the feed of the last TOOL CALL, which has to count as feeds do now.
+    fn of_last_call(&self, core: &Core<'_>, span: Span) -> Outcome<(Feed, f64)> {
+        let fault = match self.of_tool {
+            Some(ToolFeed { feed: Feed::PerMinute(_), .. }) if self.is_per_revolution() => {
+                codes::K2003::f_of_last_tool_call_counts()
+            }
+            Some(ToolFeed { feed: Feed::PerRevolution(_), by_word: false, .. }) if !self.is_per_revolution() => {
+                codes::K2003::f_of_last_tool_call_counts_per()
+            }
+            Some(feed) => return Ok((feed.feed, feed.written)),
+            None => codes::K2003::last_tool_call_has_no_f().answer(Answer::key("control", "feed")),
         };
-        if let Some(teeth) = tool.teeth {
-            return Ok(Feed::PerRevolution(feed * f64::from(teeth)));
-        }
-        let called = &tool.called;
-        self.core.refuse(span, codes::K9013::fz_is_feed_per_tooth(&called).answer(Answer::tool(called, "teeth")))
+        core.refuse(span, fault)
     }
 
     /// M136 makes a feed that was meant per minute count per revolution.
-    pub(super) fn large_per_revolution(&self, loc: Loc, feed: f64) {
-        if self.st.feed.is_large(feed) {
-            self.core.report(codes::K2013::under_m136_this_feed_is_mm_per(&feed).at(loc));
+    pub fn warn_of_large(&self, core: &Core<'_>, span: Span, feed: f64) {
+        if self.is_large(feed) {
+            core.say(span, codes::K2013::under_m136_this_feed_is_mm_per(&feed));
         }
-    }
-
-    #[cold]
-    pub(super) fn feed_not_positive<T>(&mut self, span: Span, value: f64) -> Outcome<T> {
-        let text = self.word_text(span);
-        let what = if text.contains(['Q', 'q']) { format!("`{text}` is {value}") } else { format!("`{text}`") };
-        self.core.refuse(span, codes::O1001::feed_has_to_be_above_zero(&what))
-    }
-
-    /// A feed word in the unit and mode in force.
-    pub(super) fn feed_of(&mut self, value: f64) -> Feed {
-        let inch = self.core.level().frame.unit == Unit::Inch;
-        self.st.feed.counted(value, inch)
     }
 
     /// Feed of a move that cuts; `None` for rapid traverse.
     #[inline]
-    pub(super) fn move_feed(&mut self, w: &Words) -> Outcome<Option<Feed>> {
-        if w.feed == FeedWord::Max && !self.is_capturing() {
+    pub fn of_move(&mut self, core: &Core<'_>, w: &Words) -> Outcome<Option<Feed>> {
+        if w.feed == FeedWord::Max && !self.described {
             return Ok(None);
         }
-        self.feed_in_force().map(Some)
+        self.in_force(core).map(Some)
+    }
+
+    /// Feed of an arc. Plain G-code has no arc at rapid traverse: FMAX needs a number.
+    pub fn of_arc(&mut self, core: &Core<'_>, w: &Words) -> Outcome<Feed> {
+        if let Some(feed) = self.of_move(core, w)? {
+            return Ok(feed);
+        }
+        match core.job.settings.control.rapid_feed {
+            Some(feed) => Ok(Feed::PerMinute(feed)),
+            None => core.refuse(
+                w.feed_span,
+                codes::K9019::arc_at_fmax_has_no_counterpart().answer(Answer::key("control", "rapid_feed")),
+            ),
+        }
     }
 
     /// The feed that holds on, for a cut.
     #[inline]
-    pub(super) fn feed_in_force(&mut self) -> Outcome<Feed> {
-        match self.feed_before() {
+    pub fn in_force(&mut self, core: &Core<'_>) -> Outcome<Feed> {
+        match self.before(core) {
             Some(feed) => Ok(feed),
-            None => self.feed_missing(),
+            None => self.missing(core),
         }
     }
 
     /// The same where a cut may need none.
     #[inline]
-    pub(super) fn feed_before(&mut self) -> Option<Feed> {
-        if self.st.feed.is_of_before_call() {
-            self.says_feed_of_before();
+    pub fn before(&mut self, core: &Core<'_>) -> Option<Feed> {
+        if self.of_before_call {
+            self.says_feed_of_before(core);
         }
-        self.st.feed.word()
+        self.word()
     }
 
     #[cold]
-    pub(super) fn feed_missing<T>(&mut self) -> Outcome<T> {
+    pub fn missing<T>(&mut self, core: &Core<'_>) -> Outcome<T> {
         let usual = "program F in this block, in an earlier one, or in the TOOL CALL";
-        let help = match self.st.feed.is_of_start {
+        let help = match self.is_of_start {
             true => Answer::key("control", "feed")
                 .help(format!("{usual}; a contour by itself takes the feed at the start, `[control] feed`")),
             false => usual.into(),
         };
-        if !self.feed_is_lost_by_call() {
-            self.core
-                .report(codes::P2002::no_feed_rate_is_programmed_before().at(self.core.here.origin.loc).help(help));
+        if !self.is_lost_by_call(core) {
+            core.say_here(codes::P2002::no_feed_rate_is_programmed_before().help(help));
         }
         // One report is enough.
-        self.st.feed.modal.presume();
+        self.modal.presume();
         Err(Reported)
+    }
+
+    /// The first cut after a program that is left out takes the feed of before its call.
+    #[cold]
+    fn says_feed_of_before(&mut self, core: &Core<'_>) {
+        if self.described {
+            return;
+        }
+        let Some(left) = self.left.take_if(|left| !left.lost) else { return };
+        self.of_before_call = false;
+        let found = codes::K2414::this_cut_takes_feed_of_before(&left.name, &left.key);
+        core.report_once(found.at(core.here.origin.loc).also(left.call, Label::Call));
+    }
+
+    /// Says of a cut without a feed that a program which is left out leaves one that is not known.
+    fn is_lost_by_call(&mut self, core: &Core<'_>) -> bool {
+        let Some(left) = self.left.take_if(|left| left.lost) else { return false };
+        if self.of_before_call {
+            let found = codes::P2002::leaves_feed_that_is_not_known(&left.name).at(core.here.origin.loc);
+            core.report(found.also(left.call, Label::Call));
+        }
+        self.of_before_call
     }
 
     /// A block with a feed word was refused: that a feed is missing afterwards is not worth another error.
     #[cold]
-    pub(super) fn lose_feed(&mut self, block: &Block) {
+    pub fn lose(&mut self, block: &Block) {
         let feeds = block.words.iter().any(|word| matches!(word.addr, Addr::Feed | Addr::FeedAuto | Addr::FeedPerRev));
         if feeds {
-            self.st.feed.modal.presume();
+            self.modal.presume();
         }
     }
 
-    /// M103: the feed component into the workpiece is limited.
-    ///
-    /// `in_plane` is the length of an arc; without it the way is straight.
-    #[inline]
-    pub(super) fn plunge_feed(
-        &mut self,
-        w: &Words,
-        feed: Option<Feed>,
-        end: &Pos,
-        in_plane: Option<f64>,
-    ) -> Option<Feed> {
-        feed.map(|feed| self.plunged(w, feed, end, in_plane))
+    /// M103: plunges run at a share of the feed. False where it switches off what is not on.
+    pub fn share_plunges(&mut self, core: &Core<'_>, m: &MWord) -> Outcome<bool> {
+        if let Some(share) = m.args.feed
+            && !(share > 0.0 && share <= 100.0)
+        {
+            return core.refuse(m.span, codes::K2707::m103_f_is_no_share_of_feed(&share));
+        }
+        let acts = m.args.feed.is_some() || self.plunge_share.is_some();
+        self.plunge_share = m.args.feed.map(|percent| percent / 100.0);
+        Ok(acts)
     }
 
-    /// The same for a move that cuts.
-    #[inline]
-    pub(super) fn plunged(&mut self, w: &Words, feed: Feed, end: &Pos, in_plane: Option<f64>) -> Feed {
-        match self.st.feed.plunge_share() {
-            Some(share) => self.shared_feed(w, feed, share, end, in_plane),
-            None => feed,
+    /// Refuses M109 and M110 on an arc that the target compensates.
+    pub fn check_edge(&self, core: &Core<'_>, side: Side) -> Outcome {
+        if self.at == FeedAt::Centre || side == Side::None || core.computes_path() {
+            return Ok(());
         }
+        core.refuse(Where::Block, codes::K9008::m109_m110_change_feed_on_compensated_arcs())
     }
 
-    #[cold]
-    fn shared_feed(&mut self, w: &Words, feed: Feed, share: f64, end: &Pos, in_plane: Option<f64>) -> Feed {
-        let tool_axis = self.st.axis();
-        if end.get(tool_axis).is_none() {
-            return feed;
+    /// Refuses M109 and M110 on the arc of APPR or DEP: it is no element of the contour.
+    pub fn no_edge(&self, core: &Core<'_>, side: Side) -> Outcome {
+        if self.at == FeedAt::Centre || side == Side::None {
+            return Ok(());
         }
-        let mut step = nalgebra::Vector3::zeros();
-        let mut open = AxisSet::EMPTY;
-        for axis in AxisSet::MAIN.iter() {
-            match (end.get(axis), self.st.position.get(axis)) {
-                (Some(to), Some(from)) => step[axis.index()] = to - from,
-                (Some(_), None) => open.insert(axis),
-                (None, _) => {}
-            }
-        }
-        // Which way is down, and how long the way is, counts on the workpiece.
-        let linear = *self.st.ctx.frame.linear();
-        let real = linear * step;
-        let down = real[tool_axis.index()];
-        if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
-            self.core
-                .report(codes::K2709::start_of_this_move_is_not_known(&(share * 100.0)).at(self.core.loc(w.axes_span)));
-            return feed.with_value(feed.value() * share);
-        }
-        if down >= 0.0 {
-            return feed;
-        }
-        let way = match in_plane {
-            Some(length) => {
-                let (first, ..) = self.st.plane().axes();
-                libm::hypot(length * linear.column(first).norm(), down)
-            }
-            None => real.norm(),
-        };
-        feed.with_value((feed.value() * share * way / -down).min(feed.value()))
+        core.refuse(Where::Block, codes::K9008::what_m109())
     }
 
     /// Where only rotary axes move, F counts degrees per minute, whatever the unit of the program.
     #[inline]
-    pub(super) fn rotary_only_feed(&mut self, feed: Option<Feed>, end: &Pos) -> Option<Feed> {
+    pub fn of_rotary(&self, feed: Option<Feed>, end: &Pos, position: &Position, unit: Unit) -> Option<Feed> {
         let feed = feed?;
-        if self.core.level().frame.unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
+        if unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
             return Some(feed);
         }
-        let linear = |axis: &Axis| !axis.is_rotary() && self.st.position.get(*axis) != end.get(*axis);
-        Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.st.feed.written) })
+        let linear = |axis: &Axis| !axis.is_rotary() && position.get(*axis) != end.get(*axis);
+        Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.written) })
     }
 }

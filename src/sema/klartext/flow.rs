@@ -1,128 +1,66 @@
-//! Program flow: labels, subprograms, section repeats, jumps, called programs, the program frame.
+//! Program flow: labels, subprograms, section repeats, jumps, and what a program begins and ends with.
 
 use crate::diag::{self, Answer, CallPath, Diagnostic, codes};
-use crate::ir::Function;
-use crate::lexer::klartext::{QKind, QRef};
-use crate::machine::{Generation, RepeatCount, StandIn, Unit};
-use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
+use crate::machine::{Generation, RepeatCount, Unit};
+use crate::parser::klartext::ast::{Block, LabelRef};
 use crate::sema::Job;
-use crate::sema::run::{Level, Program, Wanted};
+use crate::sema::run::{Level, Program, Where};
 use crate::text::Place;
 use crate::text::blocks::Cursor;
-use crate::text::{FileId, Loc, Next, Span, Within, decode::readable};
+use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
 use super::labels::{Label, Labels};
-use super::left_out::or_left_out;
-use super::vars::{Locals, Val};
-use super::{Outcome, ProgramHead, Reported, Run};
+use super::level::{Frame, FrameKind};
+use super::vars::Locals;
+use super::{Core, Outcome, ProgramHead, Reported};
 
 /// Most repeats of a section.
 const MOST_REPEATS: f64 = 65534.0;
 
-/// What a level of the call stack holds.
-#[derive(Debug)]
-pub(super) struct Frame {
-    pub kind: FrameKind,
-    pub unit: Unit,
-    /// QL parameters, on levels that are programs.
-    pub locals: Option<Locals>,
-    /// Section repeats under way: offset of the call block and repeats left.
-    repeats: Vec<(u32, u32)>,
-    /// The label passed last.
-    passed: Option<Loc>,
-}
+impl Core<'_> {
+    // Programs.
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum FrameKind {
-    Main,
-    /// CALL PGM.
-    Program,
-    /// CALL LBL; offset of the label.
-    Subprogram {
-        label_at: u32,
-    },
-}
-
-impl Frame {
-    pub fn main(unit: Unit, locals: Locals) -> Frame {
-        Frame { kind: FrameKind::Main, unit, locals: Some(locals), repeats: Vec::new(), passed: None }
-    }
-}
-
-/// The QL parameters of the innermost program.
-pub(super) fn innermost_locals(levels: &mut [Level<Frame>]) -> Option<&mut Locals> {
-    levels.iter_mut().rev().find_map(|level| level.frame.locals.as_mut())
-}
-
-impl Run<'_> {
-    pub(super) fn begin(&mut self, name: &[u8], unit: Option<Unit>, block: &Block) -> Outcome {
-        let loc = self.core.loc(block.span);
-        if let Some(first) = &self.core.program().known.head
+    /// BEGIN PGM
+    pub(super) fn begins(&mut self, name: &[u8], unit: Option<Unit>, block: &Block) -> Outcome {
+        let loc = self.loc(block.span);
+        if let Some(first) = &self.program().known.head
             && first.loc != loc
         {
             let first = first.loc;
-            self.core.report(
-                codes::P1009::second_program_begins_in_this_file().at(loc).also(first, diag::Label::FirstOneBegins),
-            );
+            let found = codes::P1009::second_program_begins_in_this_file().at(loc);
+            self.report(found.also(first, diag::Label::FirstOneBegins));
             return Err(Reported);
         }
-        self.core.program().known.head = Some(ProgramHead { name: name.to_vec(), unit, loc });
+        self.program().known.head = Some(ProgramHead { name: name.to_vec(), unit, loc });
         let Some(unit) = unit else {
-            self.core.say_here(codes::K1007::begin_pgm_states_neither_mm_nor_inch());
-            return Err(Reported);
+            return self.refuse(Where::Block, codes::K1007::begin_pgm_states_neither_mm_nor_inch());
         };
-        let call_site = self.core.level().site;
-        if self.core.level().frame.kind == FrameKind::Program
-            && self.core.levels[..self.core.levels.len() - 1].iter().any(|level| level.frame.unit != unit)
+        let call_site = self.level().site;
+        if self.level().frame.kind == FrameKind::Program
+            && self.levels[..self.levels.len() - 1].iter().any(|level| level.frame.unit != unit)
         {
-            self.core.report(
-                codes::K2209::called_program_has_another_unit().at(loc).also(call_site, diag::Label::CalledHere),
-            );
+            let found = codes::K2209::called_program_has_another_unit().at(loc);
+            self.report(found.also(call_site, diag::Label::CalledHere));
         }
-        self.core.level().frame.unit = unit;
+        self.level().frame.unit = unit;
         Ok(())
     }
 
-    pub(super) fn end(&mut self, name: &[u8], unit: Option<Unit>) -> Outcome {
-        let here = self.core.here.origin.loc;
-        if let Some(head) = self.core.program().known.head.clone() {
+    /// END PGM is met: does it fit to BEGIN PGM, and does something follow?
+    pub(super) fn check_end(&mut self, name: &[u8], unit: Option<Unit>) {
+        let here = self.here.origin.loc;
+        if let Some(head) = self.program().known.head.clone() {
             if head.unit.is_some() && unit.is_some() && head.unit != unit {
-                self.core.report(other_unit(here, head.loc));
+                self.report(other_unit(here, head.loc));
             }
             if !head.name.eq_ignore_ascii_case(name) {
                 let (begin, end) = (readable(&head.name).into_owned(), readable(name).into_owned());
-                self.core.report(
-                    codes::K1010::end_pgm_names(&end, &begin).at(here).also(head.loc, diag::Label::ProgramBegins),
-                );
+                let found = codes::K1010::end_pgm_names(&end, &begin).at(here);
+                self.report(found.also(head.loc, diag::Label::ProgramBegins));
             }
         }
-        self.look_behind_end();
-        self.program_over(true)
-    }
-
-    /// The file has no further block.
-    pub(super) fn file_over(&mut self) {
-        let loc = self.core.end_of_text();
-        self.core.here.origin.loc = loc;
-        if self.cycles.is_open() {
-            self.finish_cycle();
-        }
-        if let Some(head) = &self.core.program().known.head {
-            let begin = head.loc;
-            self.core.report(codes::P1006::file_ends_without_end_pgm().at(loc).also(begin, diag::Label::ProgramBegins));
-        } else if self.in_called_program() {
-            self.core.is_cut_off("END PGM", "END PGM");
-        } else {
-            // Without BEGIN PGM it is a piece of a program.
-            self.core.piece_may_end_open("END PGM, M30 or M2", "M30", None);
-        }
-        let _ = self.program_over(false);
-    }
-
-    /// Warns about blocks behind END PGM.
-    fn look_behind_end(&mut self) {
-        let (job, call) = (self.core.job, self.core.here.origin.call);
-        let program = self.core.program();
+        let (job, call) = (self.job, self.here.origin.call);
+        let program = self.program();
         let file = program.source.file;
         let place = program.source.cursor.place();
         report_behind_end(&job, &mut program.source.cursor, file, call);
@@ -131,24 +69,24 @@ impl Run<'_> {
         }
     }
 
-    /// The end of a program file was reached: return to the caller, or end the run.
-    fn program_over(&mut self, regular: bool) -> Outcome {
-        while let FrameKind::Subprogram { label_at } = self.core.level().frame.kind {
-            let call_site = self.core.level().site;
-            let file = self.core.program().source.file;
+    /// The program is over: levels of labels that it ends inside of are left, or refused.
+    pub(super) fn leave_open_subprograms(&mut self, regular: bool) -> Outcome {
+        while let FrameKind::Subprogram { label_at } = self.level().frame.kind {
+            let call_site = self.level().site;
+            let file = self.program().source.file;
             let label = Loc { file, line: self.line_of(label_at), span: Span::at(label_at, 1) };
-            if regular && self.core.job.settings.control.klartext_choices.open_subprogram_ends {
-                self.core.report(
+            if regular && self.job.settings.control.klartext_choices.open_subprogram_ends {
+                self.report(
                     codes::K2850::program_ends_inside_this_label()
                         .at(call_site)
                         .here("called here")
                         .also(label, diag::Label::BeginsHere),
                 );
                 // The caller of this label goes on nowhere.
-                self.core.levels.pop();
+                self.levels.pop();
                 continue;
             }
-            return self.core.stop(
+            return self.stop(
                 codes::K2203::program_ends_before_lbl_0()
                     .answer(Answer::key("control", "open_subprogram").one_of(&["\"end\""]))
                     .at(call_site)
@@ -156,67 +94,27 @@ impl Run<'_> {
                     .also(label, diag::Label::BeginsHere),
             );
         }
-        if self.core.level().frame.kind == FrameKind::Program {
-            return self.core.leave().map(drop);
-        }
-        self.warn_without_head();
-        self.refuse_compensated("the program ends");
-        self.function(Function::End { rewind: false });
-        self.core.stop_run();
         Ok(())
     }
 
     fn line_of(&mut self, at: u32) -> u32 {
-        let file = self.core.program().source.file;
-        let text = self.core.job.sources.bytes(file, Span { start: 0, end: at });
+        let file = self.program().source.file;
+        let text = self.job.sources.bytes(file, Span { start: 0, end: at });
         text.iter().filter(|b| **b == b'\n').count() as u32 + 1
     }
 
     pub(super) fn warn_without_head(&mut self) {
-        if self.core.programs[self.core.levels[0].program].known.head.is_none()
-            && self.core.job.settings.control.unit.is_none()
-        {
-            let loc = Loc { file: self.core.job.main, line: 1, span: Span::at(0, 1) };
-            self.core.job.diags.push(codes::K1008::no_begin_pgm_block().answer(Answer::key("control", "unit")).at(loc));
+        if self.programs[self.levels[0].program].known.head.is_none() && self.job.settings.control.unit.is_none() {
+            let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
+            self.job.diags.push(codes::K1008::no_begin_pgm_block().answer(Answer::key("control", "unit")).at(loc));
         }
-    }
-
-    /// M2, M30.
-    pub(super) fn program_end(&mut self, rewind: bool) -> Outcome {
-        if self.in_called_program() {
-            return self.core.end_run(codes::P2013::called_program_ends_job_with_m2());
-        }
-        self.warn_without_head();
-        self.refuse_compensated("the program ends");
-        self.core.end_is_whole();
-        self.function(Function::End { rewind });
-        self.core.stop_run();
-        Ok(())
     }
 
     // Labels.
 
-    fn resolve_label(&mut self, label: LabelRef, text: &[u8]) -> Outcome<Label> {
-        Ok(match label {
-            LabelRef::Number(n) => Label::Number(n),
-            LabelRef::Name(span) => Label::Name(readable(span.of(text)).into()),
-            LabelRef::Param(q) => {
-                let span = self.core.block_span();
-                match self.read(q, span)? {
-                    Val::Text(name) => Label::Name(String::from_utf8_lossy(&name).into()),
-                    Val::Real(n) if n.fract() == 0.0 && (0.0..=65535.0).contains(&n) => Label::Number(n as u32),
-                    other => {
-                        let n = other.number().unwrap_or_default();
-                        return self.core.refuse(span, codes::P2011::is_no_label_number(&q, &n));
-                    }
-                }
-            }
-        })
-    }
-
     fn find_label(&mut self, label: &Label) -> Outcome<Place> {
-        let (job, here) = (self.core.job, self.core.here.origin.loc);
-        let Program { source, known } = self.core.program();
+        let (job, here) = (self.job, self.here.origin.loc);
+        let Program { source, known } = self.program();
         let file = source.file;
         let labels = known
             .labels
@@ -225,101 +123,75 @@ impl Run<'_> {
             return Ok(place);
         }
         let found = labels.missing(label, here);
-        self.core.report(found);
+        self.report(found);
         Err(Reported)
     }
 
     /// `LBL n` in passing.
-    pub(super) fn label(&mut self, label: LabelRef, text: &[u8]) -> Outcome {
-        let here = self.core.here.origin.loc;
+    pub(super) fn passes_label(&mut self, label: LabelRef, text: &[u8]) -> Outcome {
+        let here = self.here.origin.loc;
         self.note_label(label, text);
         if label != LabelRef::Number(0) {
-            self.core.level().frame.passed = Some(here);
+            self.level().frame.passed = Some(here);
             return Ok(());
         }
-        if let FrameKind::Subprogram { .. } = self.core.level().frame.kind {
-            return self.core.leave().map(drop);
+        if let FrameKind::Subprogram { .. } = self.level().frame.kind {
+            return self.leave().map(drop);
         }
-        let found = match self.core.level().frame.passed.take() {
+        let found = match self.level().frame.passed.take() {
             Some(label) => codes::K2210::program_runs_into_this_subprogram_without_call()
                 .at(label)
                 .also(here, diag::Label::EndsHere),
             None => codes::K2210::this_lbl_0_ends_no_subprogram().at(here),
         };
-        self.core.report(found.help("put M30 or M2 before the subprograms, or skip this one with a jump"));
+        self.report(found.help("put M30 or M2 before the subprograms, or skip this one with a jump"));
         Ok(())
     }
 
     /// In a program without jumps nothing looks for labels: whether one is set twice shows in passing.
     fn note_label(&mut self, label: LabelRef, text: &[u8]) {
-        let loc = self.core.here.origin.loc;
-        let place = Place { at: self.core.here.at, line: self.core.here.line };
-        let program = &mut self.core.program().known;
+        let loc = self.here.origin.loc;
+        let place = Place { at: self.here.at, line: self.here.line };
+        let program = &mut self.program().known;
         if program.labels.is_some() || label == LabelRef::Number(0) {
             return;
         }
         if let Some(found) = program.passed.add(label, text, place, loc) {
-            self.core.report(found);
-        }
-    }
-
-    pub(super) fn call_label(&mut self, label: LabelRef, repeat: Option<Repeat>, text: &[u8]) -> Outcome {
-        let label = self.resolve_label(label, text)?;
-        if label == Label::Number(0) {
-            self.core.say_here(codes::P2011::lbl_0_ends_subprogram());
-            return Err(Reported);
-        }
-        let count = match repeat {
-            None | Some(Repeat::Empty) => None,
-            Some(Repeat::Count(n)) => Some(n),
-            Some(Repeat::Param(q)) => {
-                let span = self.core.block_span();
-                Some(self.parameter(q, span)?)
-            }
-        };
-        match count {
-            None => self.call_subprogram(&label),
-            Some(count) => self.repeat_section(&label, count),
+            self.report(found);
         }
     }
 
     pub(super) fn call_subprogram(&mut self, label: &Label) -> Outcome {
         let place = self.find_label(label)?;
         let kind = FrameKind::Subprogram { label_at: place.at };
-        let program = self.core.level().program;
-        let running = self
-            .core
-            .levels
-            .iter()
-            .rev()
-            .take_while(|level| level.program == program)
-            .any(|level| level.frame.kind == kind);
-        if running {
-            return self.core.end_run(codes::P2012::calls_itself(&label));
+        let program = self.level().program;
+        let mut of_program = self.levels.iter().rev().take_while(|level| level.program == program);
+        if of_program.any(|level| level.frame.kind == kind) {
+            return self.end_run(codes::P2012::calls_itself(&label));
         }
         self.call_part(kind, program, place)
     }
 
     /// `CALL LBL n REP count`: back to the label, `count` more times.
-    fn repeat_section(&mut self, label: &Label, count: f64) -> Outcome {
+    pub(super) fn repeat_section(&mut self, label: &Label, count: f64) -> Outcome {
         let place = self.find_label(label)?;
-        let call_at = self.core.here.at;
+        let call_at = self.here.at;
         if place.at > call_at {
-            return self.core.stop(codes::K2206::lies_behind_this_block(&label).at(self.core.here.origin.loc));
+            return self.stop(codes::K2206::lies_behind_this_block(&label).at(self.here.origin.loc));
         }
-        let count = match self.core.job.settings.control.repeat_count {
+        let count = match self.job.settings.control.repeat_count {
             RepeatCount::Refuse => count,
             RepeatCount::Truncate => count.trunc(),
             RepeatCount::Round => count.round(),
         };
         if count.fract() != 0.0 || count > MOST_REPEATS {
-            return self.core.stop(
+            return self.stop(
                 codes::K2205::rep_is_no_number_of_repeats(&count)
                     .answer(Answer::key("control", "repeat_count"))
-                    .at(self.core.here.origin.loc),
+                    .at(self.here.origin.loc),
             );
         }
-        let repeats = &mut self.core.level().frame.repeats;
+        let repeats = &mut self.level().frame.repeats;
         let left = match repeats.iter().position(|(at, _)| *at == call_at) {
             Some(i) => &mut repeats[i].1,
             None => {
@@ -329,137 +201,59 @@ impl Run<'_> {
             }
         };
         if *left == 0 {
-            self.core.level().frame.repeats.retain(|(at, _)| *at != call_at);
+            self.level().frame.repeats.retain(|(at, _)| *at != call_at);
             return Ok(());
         }
         *left -= 1;
-        self.core.jump_to(place)
+        self.jump_to(place)
     }
 
     /// Conditional jump whose condition holds.
-    pub(super) fn jump(&mut self, label: LabelRef, text: &[u8]) -> Outcome {
-        let label = self.resolve_label(label, text)?;
-        let place = match self.find_label(&label) {
+    pub(super) fn jump(&mut self, label: &Label) -> Outcome {
+        let place = match self.find_label(label) {
             Ok(place) => place,
             Err(reported) => {
                 // Going on past a jump that should be taken would run blocks that never run.
-                self.core.stop_run();
+                self.stop_run();
                 return Err(reported);
             }
         };
-        if let FrameKind::Subprogram { label_at } = self.core.level().frame.kind {
-            let end = self.core.program().known.labels.as_ref().and_then(|labels| labels.zero_after(label_at));
+        if let FrameKind::Subprogram { label_at } = self.level().frame.kind {
+            let end = self.program().known.labels.as_ref().and_then(|labels| labels.zero_after(label_at));
             if place.at < label_at || end.is_some_and(|end| place.at > end) {
-                self.core.report(codes::K2207::jump_to_leaves_subprogram(&label).at(self.core.here.origin.loc));
+                self.say_here(codes::K2207::jump_to_leaves_subprogram(&label));
             }
         }
-        self.core.jump_to(place)
+        self.jump_to(place)
     }
 
     // Levels.
 
-    fn call_part(&mut self, kind: FrameKind, program: usize, to: Place) -> Outcome {
+    pub(super) fn call_part(&mut self, kind: FrameKind, program: usize, to: Place) -> Outcome {
         self.check_depth(kind)?;
-        let unit = self.core.level().frame.unit;
+        let unit = self.level().frame.unit;
         let locals = (kind == FrameKind::Program).then(Locals::default);
-        self.core.enter(program, to, Frame { kind, unit, locals, repeats: Vec::new(), passed: None })
+        self.enter(program, to, Frame { kind, unit, locals, repeats: Vec::new(), passed: None })
     }
 
     /// Nesting the control allows, and the configured limit.
     fn check_depth(&mut self, kind: FrameKind) -> Outcome {
-        let old = self.core.job.settings.control.klartext == Generation::Tnc426;
+        let old = self.job.settings.control.klartext == Generation::Tnc426;
         let called = kind == FrameKind::Program;
         let same = |level: &&Level<Frame>| (level.frame.kind == FrameKind::Program) == called;
-        let depth = self.core.levels[1..].iter().filter(same).count() + 1;
+        let depth = self.levels[1..].iter().filter(same).count() + 1;
         let (what, most) = match called {
             true => ("programs", if old { 6 } else { 19 }),
             false => ("subprograms", if old { 8 } else { 19 }),
         };
-        let limit = self.core.job.settings.limits.call_depth;
+        let limit = self.job.settings.limits.call_depth;
         if depth > most {
-            return self.core.too_deep(codes::P4003::control_allows_no_deeper_nesting(&what, &most));
+            return self.too_deep(codes::P4003::control_allows_no_deeper_nesting(&what, &most));
         }
-        if self.core.levels.len() > limit {
-            return self.core.too_deep(codes::P4003::calls_are_nested_deeper(&limit));
+        if self.levels.len() > limit {
+            return self.too_deep(codes::P4003::calls_are_nested_deeper(&limit));
         }
         Ok(())
-    }
-
-    // Programs.
-
-    pub(super) fn call_program(&mut self, name: &[u8]) -> Outcome {
-        let name = self.program_name(name)?;
-        self.call_program_named(&name)
-    }
-
-    pub(super) fn select_program(&mut self, name: &[u8]) -> Outcome {
-        self.selected = Some(self.program_name(name)?);
-        Ok(())
-    }
-
-    pub(super) fn call_selected(&mut self) -> Outcome {
-        match self.selected.clone() {
-            Some(name) => self.call_program_named(&name),
-            None => self.core.end_run(codes::P0101::no_program_is_selected()),
-        }
-    }
-
-    /// The name as written: bare, in quotes, or in a text parameter.
-    pub(super) fn program_name(&mut self, name: &[u8]) -> Outcome<String> {
-        let name = readable(name.trim_ascii()).into_owned();
-        if let Some(digits) = name.strip_prefix("QS").or_else(|| name.strip_prefix("qs"))
-            && let Ok(number) = digits.parse()
-        {
-            let span = self.core.block_span();
-            return match self.read(QRef { kind: QKind::Qs, number }, span)? {
-                Val::Text(text) => Ok(String::from_utf8_lossy(&text).into_owned()),
-                _ => self.core.refuse(span, codes::P2024::text_parameter_is_needed()),
-            };
-        }
-        let name = name.trim_matches('"').trim().to_owned();
-        if name.is_empty() {
-            self.core.say_here(codes::P1004::name_of_program_is_missing());
-            return Err(Reported);
-        }
-        Ok(name)
-    }
-
-    pub(super) fn call_program_named(&mut self, name: &str) -> Outcome {
-        let site = self.core.here.origin.loc;
-        if self.st.compensation.is_on() {
-            self.core.report(codes::P2041::program_call_ends_radius_compensation().at(site));
-            self.st.end_compensation();
-        }
-        let opened = match self.stands_for(name) {
-            Some((_, StandIn::File(file))) => {
-                self.core.open_called(&Wanted { name: &file, extensions: &[], within: Within::Configured })
-            }
-            Some((key, StandIn::Change(change))) => return self.stand_in(name, &key, Some(change)),
-            Some((key, StandIn::Ignored)) => return self.stand_in(name, &key, None),
-            None if name.to_ascii_uppercase().ends_with(".I") => {
-                self.core.say_here(codes::P9012::is_din_iso_program(&name));
-                None
-            }
-            None => {
-                let found = self.core.find_called(&Wanted { name, extensions: &["H", "h"], within: Within::Caller });
-                found.unwrap_or_else(|found| {
-                    self.core.job.diags.push(or_left_out(*found, name));
-                    None
-                })
-            }
-        };
-        let Some(program) = opened else {
-            // What the program would have done is unknown: nothing after it can be trusted.
-            self.st.lose(crate::machine::AxisSet::MAIN);
-            self.lost();
-            self.core.go_on_in_doubt();
-            return Err(Reported);
-        };
-        if self.core.is_running(program) {
-            return self.core.end_run(codes::P2012::program_calls_itself(&name));
-        }
-        let start = self.core.programs[program].source.cursor.start();
-        self.call_part(FrameKind::Program, program, start)
     }
 }
 

@@ -6,9 +6,10 @@ use crate::diag::codes;
 use crate::lexer::klartext::QRef;
 use crate::machine::Unit;
 use crate::parser::klartext::ast::Block;
-use crate::text::{Span, number::decimal};
+use crate::text::Span;
 
-use super::{Outcome, Run};
+use super::reading::Reading;
+use super::{Core, Outcome};
 
 /// What GLOBAL DEF gives a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,13 +26,46 @@ pub(super) struct Globals {
 }
 
 impl Globals {
-    pub fn get(&self, q: u32) -> Option<(Given, Unit)> {
+    fn get(&self, q: u32) -> Option<(Given, Unit)> {
         self.list.iter().find(|(known, ..)| *known == q).map(|(_, given, unit)| (*given, *unit))
     }
 
     fn set(&mut self, q: u32, given: Given, unit: Unit) {
         self.list.retain(|(known, ..)| *known != q);
         self.list.push((q, given, unit));
+    }
+
+    /// GLOBAL DEF
+    pub fn define(&mut self, reading: Reading<'_, '_>, block: &Block, text: &[u8]) -> Outcome {
+        // A letter a byte, so that places in it are places in the program; words of other letters are names only.
+        let bytes = text.get(block.span.start as usize..).unwrap_or_default();
+        let code: String = bytes.iter().map(|b| if b.is_ascii() { char::from(*b) } else { '?' }).collect();
+        let words = split(lines(&code, block.span.start));
+        let Some((head, parameters)) = words.split_first() else { return Ok(()) };
+        let number = head.0.split_ascii_whitespace().nth(2).and_then(|number| number.parse::<u32>().ok());
+        if number == Some(125) {
+            return reading.core.refuse(head.1, codes::P9011::global_def_125_decides_where_tool_goes());
+        }
+        let Some((number, takes)) = KNOWN.iter().find(|(known, _)| Some(*known) == number) else {
+            return reading.core.refuse(head.1, codes::K2943::number_of_this_global_def_is_not());
+        };
+        for (word, span) in parameters {
+            let (q, given) = parameter(reading, word, *span)?;
+            if !takes.contains(&q) {
+                return reading.core.refuse(*span, codes::K2943::global_def_has_no_parameter_q(&number, &q));
+            }
+            self.set(q, given, reading.core.unit());
+        }
+        Ok(())
+    }
+
+    /// What a parameter that says PREDEF takes.
+    pub fn predefined(&self, core: &Core<'_>, q: QRef, span: Span) -> Outcome<Given> {
+        match self.get(q.number) {
+            Some((given, of)) if of == core.unit() => Ok(given),
+            Some(_) => core.refuse(span, codes::K2943::global_def_with_stands_in_program(&q)),
+            None => core.refuse(span, codes::K2944::no_global_def_gives_value(&q)),
+        }
     }
 }
 
@@ -68,64 +102,22 @@ fn lines(code: &str, start: u32) -> Vec<Line> {
     list
 }
 
-impl Run<'_> {
-    pub(super) fn global_def(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        // A letter a byte, so that places in it are places in the program; words of other letters are names only.
-        let bytes = text.get(block.span.start as usize..).unwrap_or_default();
-        let code: String = bytes.iter().map(|b| if b.is_ascii() { char::from(*b) } else { '?' }).collect();
-        let words = split(lines(&code, block.span.start));
-        let Some((head, parameters)) = words.split_first() else { return Ok(()) };
-        let number = head.0.split_ascii_whitespace().nth(2).and_then(|number| number.parse::<u32>().ok());
-        if number == Some(125) {
-            return self.core.refuse(head.1, codes::P9011::global_def_125_decides_where_tool_goes());
-        }
-        let Some((number, takes)) = KNOWN.iter().find(|(known, _)| Some(*known) == number) else {
-            return self.core.refuse(head.1, codes::K2943::number_of_this_global_def_is_not());
-        };
-        for (word, span) in parameters {
-            let (q, given) = self.global_parameter(word, *span)?;
-            if !takes.contains(&q) {
-                return self.core.refuse(*span, codes::K2943::global_def_has_no_parameter_q(&number, &q));
-            }
-            let unit = self.core.level().frame.unit;
-            self.globals.set(q, given, unit);
-        }
-        Ok(())
+/// `Q200=+2`
+fn parameter(reading: Reading<'_, '_>, word: &str, span: Span) -> Outcome<(u32, Given)> {
+    let unreadable = || reading.core.refuse(span, codes::K2943::is_no_parameter_with_its_value(&word));
+    let Some((name, value)) = word.split_once('=') else { return unreadable() };
+    let Some(q) = name.trim().strip_prefix('Q').and_then(|digits| digits.parse().ok()) else {
+        return unreadable();
+    };
+    let value = value.trim();
+    match value {
+        "FMAX" | "MAX" => return Ok((q, Given::Word("FMAX"))),
+        "FAUTO" | "AUTO" => return Ok((q, Given::Word("FAUTO"))),
+        _ => {}
     }
-
-    /// `Q200=+2`
-    fn global_parameter(&mut self, word: &str, span: Span) -> Outcome<(u32, Given)> {
-        let unreadable = |run: &Self| run.core.refuse(span, codes::K2943::is_no_parameter_with_its_value(&word));
-        let Some((name, value)) = word.split_once('=') else { return unreadable(self) };
-        let Some(q) = name.trim().strip_prefix('Q').and_then(|digits| digits.parse().ok()) else {
-            return unreadable(self);
-        };
-        let value = value.trim();
-        match value {
-            "FMAX" | "MAX" => return Ok((q, Given::Word("FMAX"))),
-            "FAUTO" | "AUTO" => return Ok((q, Given::Word("FAUTO"))),
-            _ => {}
-        }
-        if let Some(parameter) = self.signed_parameter(value, span) {
-            return Ok((q, Given::Number(parameter?)));
-        }
-        let digits = value.strip_prefix(['+', '-']).unwrap_or(value);
-        match decimal(digits.as_bytes(), true) {
-            Some((number, len)) if len == digits.len() => {
-                Ok((q, Given::Number(if value.starts_with('-') { -number } else { number })))
-            }
-            _ => unreadable(self),
-        }
-    }
-
-    /// What a parameter that says PREDEF takes.
-    pub(super) fn predefined(&mut self, q: QRef, span: Span) -> Outcome<Given> {
-        let unit = self.core.level().frame.unit;
-        match self.globals.get(q.number) {
-            Some((given, of)) if of == unit => Ok(given),
-            Some(_) => self.core.refuse(span, codes::K2943::global_def_with_stands_in_program(&q)),
-            None => self.core.refuse(span, codes::K2944::no_global_def_gives_value(&q)),
-        }
+    match reading.written(value, span) {
+        Some(number) => Ok((q, Given::Number(number?))),
+        None => unreadable(),
     }
 }
 

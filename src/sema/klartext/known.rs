@@ -10,13 +10,3 @@ pub(super) enum Known<T> {
     Lost,
     Given(Rc<T>),
 }
-
-impl<T> Clone for Known<T> {
-    fn clone(&self) -> Known<T> {
-        match self {
-            Known::Nothing => Known::Nothing,
-            Known::Lost => Known::Lost,
-            Known::Given(known) => Known::Given(Rc::clone(known)),
-        }
-    }
-}

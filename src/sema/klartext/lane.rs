@@ -17,7 +17,13 @@ impl Run<'_> {
     /// Does a straight block do nothing but move?
     pub(super) fn is_plain(&self) -> bool {
         let st = &self.st;
-        self.skipped.is_none()
+        let side = st.compensation.side();
+        // A contour that has begun needs nothing but its direction noted.
+        let contour_is_plain = match st.contour.now {
+            None => side == Side::None,
+            Some(contour) => side != Side::None && contour.begun && self.core.computes_path(),
+        };
+        !self.skipped.is_open()
             && !self.cycles.is_open()
             && !self.cycles.modal()
             && self.approach.is_none()
@@ -28,12 +34,12 @@ impl Run<'_> {
             && st.feed.plunge_share().is_none()
             && !st.feed.is_per_revolution()
             && !st.feed.is_of_before_call()
-            && self.contour_is_plain()
+            && contour_is_plain
             && !st.compensation.is_lost()
             && st.position.left_by_calls().is_empty()
             && st.position.left_by_probes().is_empty()
             && !self.contour_waits()
-            && !self.is_capturing()
+            && st.described.is_none()
     }
 
     /// Executes the next block where it stands, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.
@@ -67,17 +73,18 @@ impl Run<'_> {
 
     #[inline(always)]
     fn go_straight(&mut self, line: &Straight) {
+        let unit = self.core.unit();
         if let Some(written) = line.feed {
-            let feed = self.feed_of(written);
+            let feed = self.st.feed.counted(written, unit);
             self.st.feed.program(feed, written);
         }
         let path = if line.rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
-        let mm = self.core.level().frame.unit.mm();
+        let mm = unit.mm();
         let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         let side = self.st.compensation.side();
         self.core.send_move(&Move { end, path, side, coords: Coords::Frame }, &self.st.ctx);
         if side != Side::None {
-            self.note_contour(&end, &path);
+            self.st.note_contour(&end, &path);
         }
         self.st.last_path = path;
         self.st.feed.last_rapid = line.rapid;

@@ -3,33 +3,17 @@
 //! Comes in: the name as a block writes it. Goes out: what the entry says that the program leaves behind, or the file that
 //! runs in its place. A program that is found runs, whatever the entry says.
 
-use crate::diag::{Answer, Diagnostic, Label, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::function::Turn;
 use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
 use crate::sema::common::hidden::By;
-use crate::sema::run::Wanted;
-use crate::text::{Loc, Span, Within};
+use crate::sema::run::{Wanted, Where};
+use crate::text::{Span, Within};
 
 use super::active_tool::Change;
-use super::{Outcome, Run};
-
-/// A call that is left out, where nothing says what feed it leaves.
-#[derive(Debug)]
-pub(super) struct FeedLeft {
-    name: String,
-    call: Loc,
-    /// The feed that it leaves is another one, and not known.
-    lost: bool,
-}
+use super::{Core, Outcome, Run};
 
 impl Run<'_> {
-    /// What stands for the program `name`: the name of its entry, and what it says. `None`: the program is here, or has no entry.
-    pub(super) fn stands_for(&mut self, name: &str) -> Option<(String, StandIn)> {
-        let (key, stands) = entry_of(&self.core.job.settings.programs, name)?;
-        let wanted = Wanted { name, extensions: &["H", "h"], within: Within::Caller };
-        self.core.is_nowhere(&wanted).then_some((key, stands))
-    }
-
     /// Does what the entry `key` says in place of the call of `name`, which runs no file.
     pub(super) fn stand_in(&mut self, name: &str, key: &str, change: Option<ChangeCall>) -> Outcome {
         let span = self.core.block_span();
@@ -37,9 +21,7 @@ impl Run<'_> {
             return self.core.refuse(span, codes::P0205::programs_says_that_leaves_g0_or_g1(&key));
         }
         match change {
-            None => {
-                self.core.report_once(codes::P8105::is_left_out(&name).at(self.core.here.origin.loc));
-            }
+            None => self.core.say_once(Where::Block, codes::P8105::is_left_out(&name)),
             Some(ChangeCall { tool: None, edge: None }) => self.change_by_program(name, span)?,
             Some(_) => {
                 return self.core.refuse(span, codes::P0205::programs_says_that_argument_of_names_tool(&key));
@@ -48,9 +30,7 @@ impl Run<'_> {
         self.leave_axes(key, "end the contour with R0 before the call")?;
         self.leave_technology(key)?;
         if self.core.job.settings.left_by(key).feed.is_none() && self.st.feed.word().is_some() {
-            self.feed_left =
-                Some(Box::new(FeedLeft { name: name.to_owned(), call: self.core.here.origin.loc, lost: false }));
-            self.st.feed.left_by_call();
+            self.st.feed.left_by_call(name, key_of(name), self.core.here.origin.loc, false);
         }
         Ok(())
     }
@@ -58,19 +38,17 @@ impl Run<'_> {
     /// The program changes to the tool that was called.
     fn change_by_program(&mut self, name: &str, span: Span) -> Outcome {
         if matches!(self.st.tool.change, Change::None | Change::Announced | Change::InSpindle) {
-            return self.core.refuse(
-                span,
-                codes::K2802::changes_tool(&name).answer(Answer::key("control", "tool_change").one_of(&["\"m6\""])),
-            );
+            let fault = codes::K2802::changes_tool(&name);
+            return self.core.refuse(span, fault.answer(Answer::key("control", "tool_change").one_of(&["\"m6\""])));
         }
         self.change_at(span, &format!("`{name}`"))?;
         // Where it leaves the axes only the configuration knows.
         let loc = self.core.here.origin.loc;
         self.st.position.forget(AxisSet::MAIN);
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
-        self.lost();
+        self.st.lost(&mut self.core);
         self.stand_after_change();
-        self.core.report_once(codes::P8105::changes_tool(&name).at(loc));
+        self.core.say_once(Where::Block, codes::P8105::changes_tool(&name));
         Ok(())
     }
 
@@ -82,15 +60,15 @@ impl Run<'_> {
         }
         if self.st.compensation.is_on() {
             let refused = self.core.refuse(
-                self.core.block_span(),
+                Where::Block,
                 codes::P2001::moves_axes_under_radius_compensation(&name).help(under_compensation),
             );
-            self.lose_all();
+            self.st.lose_all(&mut self.core);
             return refused;
         }
         self.st.position.forget(moved);
         self.st.position.hide(moved, By::Call, self.core.here.origin.loc);
-        self.lost();
+        self.st.lost(&mut self.core);
         let known = *self.st.position.at();
         self.core.stands_at(&known, &self.st.ctx);
         Ok(())
@@ -101,60 +79,42 @@ impl Run<'_> {
         let left = self.core.job.settings.left_by(name);
         match left.feed {
             Some(Left::Value(written)) => {
-                let feed = self.feed_of(written);
+                let feed = self.st.feed.counted(written, self.core.unit());
                 self.st.feed.program(feed, written);
             }
             Some(Left::Lost) => {
-                self.st.feed.forget();
-                self.st.feed.left_by_call();
-                self.feed_left =
-                    Some(Box::new(FeedLeft { name: name.to_owned(), call: self.core.here.origin.loc, lost: true }));
+                self.st.feed.left_by_call(name, key_of(name), self.core.here.origin.loc, true);
             }
             None => {}
         }
         match left.speed {
-            Some(Left::Value(speed)) => self.spindle_speed(speed, self.core.block_span())?,
+            Some(Left::Value(speed)) => {
+                let function = self.st.spindle.set_speed(&self.core, speed, self.core.block_span())?;
+                self.function(function);
+            }
             Some(Left::Lost) => {
                 let what = if name.starts_with("CYCL ") { "cycle" } else { "program" };
-                return self
-                    .core
-                    .refuse(self.core.block_span(), codes::P9010::leaves_speed_that_is_not_known(&name, &what));
+                return self.core.refuse(Where::Block, codes::P9010::leaves_speed_that_is_not_known(&name, &what));
             }
             None => {}
         }
-        match left.spindle {
-            Some(LeftSpindle::Clockwise) => self.start_spindle(Turn::Clockwise),
-            Some(LeftSpindle::CounterClockwise) => self.start_spindle(Turn::CounterClockwise),
-            Some(LeftSpindle::Stopped) => self.stop_spindle(),
-            None => {}
-        }
+        let switched = match left.spindle {
+            Some(LeftSpindle::Clockwise) => self.st.spindle.start(Turn::Clockwise),
+            Some(LeftSpindle::CounterClockwise) => self.st.spindle.start(Turn::CounterClockwise),
+            Some(LeftSpindle::Stopped) => self.st.spindle.stop(),
+            None => return Ok(()),
+        };
+        self.function(switched);
         Ok(())
     }
+}
 
-    /// The first cut after a program that is left out takes the feed of before its call.
-    #[cold]
-    pub(super) fn says_feed_of_before(&mut self) {
-        if self.is_capturing() {
-            return;
-        }
-        let Some(left) = self.feed_left.take_if(|left| !left.lost) else { return };
-        self.st.feed.took_left();
-        let FeedLeft { name, call, .. } = *left;
-        let key = key_of(&name);
-        let found = codes::K2414::this_cut_takes_feed_of_before(&name, &key).at(self.core.here.origin.loc);
-        self.core.report_once(found.also(call, Label::Call));
-    }
-
-    /// Says of a cut without a feed that a program which is left out leaves one that is not known.
-    pub(super) fn feed_is_lost_by_call(&mut self) -> bool {
-        let Some(left) = self.feed_left.take_if(|left| left.lost) else { return false };
-        let FeedLeft { name, call, .. } = *left;
-        let is_of_call = self.st.feed.is_of_before_call();
-        if is_of_call {
-            let found = codes::P2002::leaves_feed_that_is_not_known(&name).at(self.core.here.origin.loc);
-            self.core.report(found.also(call, Label::Call));
-        }
-        is_of_call
+impl Core<'_> {
+    /// What stands for the program `name`: the name of its entry, and what it says. `None`: the program is here, or has no entry.
+    pub(super) fn stands_for(&mut self, name: &str) -> Option<(String, StandIn)> {
+        let (key, stands) = entry_of(&self.job.settings.programs, name)?;
+        let wanted = Wanted { name, extensions: &["H", "h"], within: Within::Caller };
+        self.is_nowhere(&wanted).then_some((key, stands))
     }
 }
 

@@ -1,112 +1,34 @@
-//! M functions: one table says what each does, when it acts, and what it takes.
+//! M functions: what a block may hold of them, and what they do at its start and its end.
 //!
 //! Source: K 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::ir::compensation::FeedAt;
-use crate::ir::function::{Coolant, Spindle, Turn};
-use crate::ir::{Function, Side};
-use crate::machine::Unit;
-use crate::text::Span;
+use crate::ir::contour::{Coords, Move, Path};
+use crate::ir::{Function, Pos, Side};
+use crate::machine::{AxisSet, Unit};
+use crate::parser::klartext::ast::Block;
 
 use super::active_tool::Change;
-use super::m_table::{Act, When, entry};
-use super::words::{Comp, MWord, Words};
-use super::{Outcome, Run};
-
-/// What the program told the spindle.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct SpindleState {
-    turn: Option<Turn>,
-    /// The sense in which it turned last.
-    used: Option<Turn>,
-    speed: Option<f64>,
-    /// Angle of cycle 13.
-    orientation: Option<f64>,
-}
-
-impl SpindleState {
-    /// Sense of rotation, while it turns.
-    pub fn turn(&self) -> Option<Turn> {
-        self.turn
-    }
-
-    pub fn turns(&self) -> bool {
-        self.turn.is_some()
-    }
-
-    /// The sense in which it turned last.
-    pub fn used(&self) -> Option<Turn> {
-        self.used
-    }
-
-    pub fn speed(&self) -> Option<f64> {
-        self.speed
-    }
-
-    pub fn start(&mut self, turn: Turn) {
-        (self.turn, self.used) = (Some(turn), Some(turn));
-    }
-
-    pub fn stop(&mut self) {
-        self.turn = None;
-    }
-
-    pub fn set_speed(&mut self, speed: f64) {
-        self.speed = Some(speed);
-    }
-
-    /// Cycle 13: where M19 stops the spindle.
-    pub fn orient(&mut self, angle: f64) {
-        self.orientation = Some(angle);
-    }
-}
+use super::m_table::{Act, Args, When, entry};
+use super::place::View;
+use super::state::State;
+use super::words::{Admits, Comp, MWord, Words};
+use super::{Core, Outcome, Run};
 
 impl Run<'_> {
-    /// Refuses M functions that no path can be computed with, before anything of the block acts.
-    pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
-        self.no_m_in_contour(w)?;
-        let compensated = self.st.compensation.is_on() || matches!(w.comp, Some(Comp::Side(Side::Left | Side::Right)));
-        for m in w.m() {
-            match entry(m.number) {
-                Some((Act::Refused, _)) => {
-                    let (what, help) = refusal(m.number);
-                    return self.core.refuse(m.span, codes::K9008::m(&m.number, &what).help(help));
-                }
-                Some(_) if m.number == 130 && self.st.frames.transform().turn.0 != 0.0 => {
-                    return self.core.refuse(m.span, codes::K9008::m130_takes_this_block_out_of_working());
-                }
-                Some((Act::CompensationOnly | Act::LookAhead, _))
-                    if compensated && acts(m) && !self.computes_path() =>
-                {
-                    return self.core.refuse(m.span, codes::K9008::m_changes_compensated_path(&m.number));
-                }
-                Some(_) => {}
-                None if self.core.job.settings.output.pass_m.contains(&m.number) => {}
-                None => {
-                    let number = m.number;
-                    let usual = format!("if the target machine understands it, add `[output] pass_m = [{number}]`");
-                    let help = match self.st.tool.change {
-                        Change::Called { .. } | Change::Printed { moved: false } => Answer::pass_m(number)
-                            .help(format!(
-                                "if it changes to the tool of the TOOL CALL, say so: `[control] tool_change_m = [{number}]`; {usual}"
-                            ))
-                            .and(Answer::changing_m(number)),
-                        _ => Answer::pass_m(number).help(usual),
-                    };
-                    return self
-                        .core
-                        .refuse(m.span, codes::P2007::m_is_function_of_machine_builder(&number).help(help));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Refuses M functions that say how or where a block moves, in a block that does not.
-    pub(super) fn forbid_m(&mut self, w: &Words, head: &str, numbers: &[u32]) -> Outcome {
-        let Some(m) = w.any_m(numbers) else { return Ok(()) };
-        self.core.refuse(m.span, codes::P1003::m_has_no_place_in_block(&m.number, &head))
+    /// The words of a block whose M functions may act; these have no place in it.
+    pub(super) fn gather_m(
+        &mut self,
+        block: &Block,
+        head: &str,
+        admits: Admits,
+        barred: &[u32],
+    ) -> Outcome<Box<Words>> {
+        let w = self.gather(block, head, admits)?;
+        self.view().check_m(&w)?;
+        w.forbid_m(&self.core, head, barred)?;
+        Ok(w)
     }
 
     /// M functions that act at the start of the block. `moves` tells whether the block moves.
@@ -114,14 +36,11 @@ impl Run<'_> {
         for m in w.m() {
             match entry(m.number) {
                 Some((act, When::Start)) => self.act(act, m)?,
-                Some((Act::ToolChange, When::End)) => self.st.m6_at_end(),
+                Some((Act::ToolChange, When::End)) => self.st.tool.m6_at_end(),
                 Some((_, When::End)) => {}
                 None => {
                     if moves {
-                        self.core
-                            .job
-                            .diags
-                            .push_once(codes::P2008::m_is_printed_before_move(&m.number).at(self.core.loc(m.span)));
+                        self.core.note(m.span, codes::P2008::m_is_printed_before_move(&m.number));
                     }
                     self.function(Function::Aux(m.number));
                 }
@@ -130,12 +49,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
-        self.these_at_end(w.m())
-    }
-
-    /// Those that act at the end of the block, in their order.
-    pub(super) fn these_at_end(&mut self, functions: &[MWord]) -> Outcome {
+    /// Those of `functions` that act at the end of the block, in their order.
+    pub(super) fn m_at_end(&mut self, functions: &[MWord]) -> Outcome {
         // The end of the program comes last, wherever it stands in the block.
         for last in [false, true] {
             for m in functions {
@@ -151,141 +66,174 @@ impl Run<'_> {
 
     fn act(&mut self, act: Act, m: &MWord) -> Outcome {
         match act {
-            Act::Spindle(turn) => self.start_spindle(turn),
-            Act::SpindleAndCoolant(turn) => {
-                self.start_spindle(turn);
-                self.coolant(true);
-            }
-            Act::SpindleStop => self.stop_spindle(),
-            Act::CoolantOn => self.coolant(true),
-            Act::CoolantOff => self.coolant(false),
-            Act::Stop => self.stop_all(m.span),
-            Act::OptionalStop => self.function(Function::OptionalStop),
             Act::ProgramEnd { rewind } => return self.program_end(rewind),
-            Act::ToolChange => return self.m6(m.span),
-            Act::Orient => {
-                let angle = self.st.spindle.orientation.unwrap_or(0.0);
-                self.st.spindle.stop();
-                self.function(Function::Spindle(Spindle::Orient(angle)));
-            }
-            Act::PlungeShare => return self.share_plunges(m),
-            Act::EdgeFeed(FeedAt::Centre) if self.st.feed.at == FeedAt::Centre => self.note_m(m),
-            Act::RotaryFeed(false) if !self.st.feed.at_surface => self.note_m(m),
-            Act::ShortWay(false) if !self.st.rotary.short_way => self.note_m(m),
-            Act::PerRevolution(false) if !self.st.feed.is_per_revolution() => self.note_m(m),
-            Act::FollowTip(false) if !self.st.rotary.follows_tip => self.note_m(m),
-            Act::EdgeFeed(at) => {
-                self.st.feed.at = at;
-                self.st.modal_rules();
-            }
-            Act::RotaryFeed(on) => self.st.feed.at_surface = on,
-            Act::ShortWay(on) => self.st.rotary.short_way = on,
-            Act::PerRevolution(on) => {
-                if on && self.core.level().frame.unit == Unit::Inch {
-                    return self.core.refuse(m.span, codes::K9008::unit_of_f_under_m136_in_inch());
-                }
-                self.st.feed.switch(on);
-            }
-            Act::FollowTip(on) => return self.follow_tip(on, m.span),
-            Act::ModuloRotary => {
-                if !self.st.rotary.reduce(&self.st.position, m.args.axes) {
-                    self.note_m(m);
-                }
-            }
+            Act::ToolChange => return self.change_at(m.span, "this M6"),
+            Act::FollowTip(on) if on || self.st.rotary.follows_tip => return self.follow_tip(on, m.span),
             Act::Retract => return self.retract(m),
             Act::EndRotation => return self.end_basic_rotation(m),
-            Act::Note => self.note_m(m),
-            Act::ShortPoints => {
-                self.core.report(codes::K2804::m124_leaves_out_points_on_control().at(self.core.loc(m.span)))
+            Act::OptionalStop => self.function(Function::OptionalStop),
+            Act::Stop => {
+                let stopped = self.st.spindle.stop_all(&self.core, m.span);
+                stopped.into_iter().flatten().for_each(|function| self.function(function));
+                self.stop_program();
             }
-            Act::CompensationOnly | Act::LookAhead if self.computes_path() && self.st.compensation.is_on() => {}
-            Act::CompensationOnly | Act::LookAhead => {
-                self.core.report(codes::K2703::m_has_no_word_in_output(&m.number).at(self.core.loc(m.span)));
+            _ => {
+                let switched = self.st.spindle.switch(act);
+                switched.into_iter().flatten().for_each(|function| self.function(function));
+                if !self.st.set_mode(&self.core, act, m)? {
+                    self.noted.note(&self.core, m.number, m.span);
+                }
             }
-            Act::Block | Act::Refused => {}
         }
         Ok(())
     }
 
-    /// M103: plunges run at a share of the feed.
-    fn share_plunges(&mut self, m: &MWord) -> Outcome {
-        if let Some(share) = m.args.feed
-            && !(share > 0.0 && share <= 100.0)
-        {
-            return self.core.refuse(m.span, codes::K2707::m103_f_is_no_share_of_feed(&share));
-        }
-        if m.args.feed.is_none() && self.st.feed.plunge_share().is_none() {
-            self.note_m(m);
-        }
-        self.st.feed.share_plunges(m.args.feed.map(|percent| percent / 100.0));
-        Ok(())
-    }
-
-    /// Says once of each function that it is left out.
-    pub(super) fn note_m(&mut self, m: &MWord) {
-        if self.noted.contains(&m.number) {
-            return;
-        }
-        self.noted.push(m.number);
-        let what = match m.number {
-            91 | 92 => "stands in a block without coordinates, and has",
-            94 => "finds no rotary axis beyond a turn, and has",
-            103 | 111 | 117 | 127 | 129 | 137 => "switches off what is not on, and has",
-            _ => "has",
-        };
-        self.core.report(codes::K2703::m_no_word_in_output(&m.number, &what).at(self.core.loc(m.span)));
-    }
-
-    pub(super) fn start_spindle(&mut self, turn: Turn) {
-        self.st.spindle.start(turn);
-        self.function(Function::Spindle(Spindle::Start(turn)));
-    }
-
-    pub(super) fn stop_spindle(&mut self) {
-        self.st.spindle.stop();
-        self.function(Function::Spindle(Spindle::Stop));
-    }
-
-    fn coolant(&mut self, on: bool) {
-        self.st.coolant = on;
-        self.function(Function::Coolant(if on { Coolant::Flood } else { Coolant::Off }));
-    }
-
-    /// M0: program stop, spindle stop, coolant off.
-    fn stop_all(&mut self, span: Span) {
-        if self.st.spindle.turns() || self.st.coolant {
-            let what = match (self.st.spindle.turns(), self.st.coolant) {
-                (true, true) => "the spindle and the coolant",
-                (true, false) => "the spindle",
-                _ => "the coolant",
-            };
-            self.core.report(codes::K2708::m0_also_stops(&what).at(self.core.loc(span)));
-        }
-        if self.st.spindle.turns() {
-            self.stop_spindle();
-        }
-        if self.st.coolant {
-            self.coolant(false);
-        }
+    /// The program stops: the axes may be moved by hand.
+    fn stop_program(&mut self) {
         self.function(Function::Stop);
         self.st.position.stops();
     }
 
-    /// STOP with its M functions. STOP itself does not stop the spindle.
-    pub(super) fn stop_block(&mut self, block: &crate::parser::klartext::ast::Block) -> Outcome {
-        let w = self.gather(block, "STOP", super::words::Admits::M)?;
-        self.check_m(&w)?;
-        self.forbid_m(&w, "STOP", &[89, 91, 92, 99])?;
-        self.m_at_start(&w, false)?;
-        if w.has_m(0) {
-            return self.m_at_end(&w);
+    /// M140: away from the workpiece along the tool axis, before the block moves.
+    fn retract(&mut self, m: &MWord) -> Outcome {
+        let axis = self.st.axis();
+        let Args { feed, value, max, .. } = m.args;
+        if feed.is_some_and(|feed| feed <= 0.0) {
+            return self.core.refuse(m.span, codes::O1001::feed_of_m140_is_not_above_zero());
         }
-        self.m_at_end(&w)?;
-        if !self.core.has_ended() {
-            self.function(Function::Stop);
-            self.st.position.stops();
+        let feed = feed.map(|f| self.st.feed.counted(f, self.core.unit()));
+        let path = Path::straight(feed);
+        let mut end = Pos::UNKNOWN;
+        if max {
+            let Some(top) = self.core.job.settings.control.retract_max else {
+                let fault = codes::K2705::m140_mb_max_retracts_to_end();
+                return self.core.refuse(m.span, fault.answer(Answer::key("control", "retract_max")));
+            };
+            self.core.note(m.span, codes::K2704::m140_mb_max_goes_to_machine_coordinate(&axis.letter(), &top));
+            end.set(axis, top);
+            let coords = Coords::Machine;
+            self.forbid_open_approach()?;
+            self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
+            self.moved_by_machine(&end);
+            return Ok(());
+        }
+        let way = value.unwrap_or(0.0);
+        if way <= 0.0 {
+            return self.core.refuse(m.span, codes::K2707::path_of_m140_is_not_above_zero());
+        }
+        // The path is a real one: no scaling acts on it, and it leads away from the workpiece.
+        let column = self.st.ctx.frame.linear().column(axis.index()).into_owned();
+        let factor = column[axis.index()];
+        if !(factor > 0.0 && AxisSet::MAIN.iter().all(|other| other == axis || column[other.index()] == 0.0)) {
+            return self.core.refuse(m.span, codes::K9008::m140_retracts_along(&axis.letter()));
+        }
+        let from = match self.st.position.get(axis) {
+            Some(from) => from,
+            None => self.view().position_of(axis, m.span, "M140")?,
+        };
+        end.set(axis, from + way / factor);
+        self.send(&end, path);
+        Ok(())
+    }
+
+    /// STOP with its M functions. STOP itself does not stop the spindle.
+    pub(super) fn stop_block(&mut self, block: &Block) -> Outcome {
+        let w = self.gather_m(block, "STOP", Admits::M, &[89, 91, 92, 99])?;
+        self.m_at_start(&w, false)?;
+        self.m_at_end(w.m())?;
+        if !w.has_m(0) && !self.core.has_ended() {
+            self.stop_program();
         }
         Ok(())
+    }
+}
+
+impl State {
+    /// Carries out what M functions switch of feed, rotary axes and compensation. False for one that changes nothing.
+    fn set_mode(&mut self, core: &Core<'_>, act: Act, m: &MWord) -> Outcome<bool> {
+        let changes = match act {
+            Act::EdgeFeed(at) => at != FeedAt::Centre || self.feed.at != at,
+            Act::RotaryFeed(on) => on || self.feed.at_surface,
+            Act::ShortWay(on) => on || self.rotary.short_way,
+            Act::PerRevolution(on) => on || self.feed.is_per_revolution(),
+            Act::ModuloRotary => self.rotary.reduce(&self.position, m.args.axes),
+            Act::PlungeShare => self.feed.share_plunges(core, m)?,
+            Act::Note | Act::FollowTip(_) => false,
+            _ => true,
+        };
+        match act {
+            _ if !changes => {}
+            Act::EdgeFeed(at) => {
+                self.feed.at = at;
+                self.contour.modal_rules(&mut self.ctx, at);
+            }
+            Act::RotaryFeed(on) => self.feed.at_surface = on,
+            Act::ShortWay(on) => self.rotary.short_way = on,
+            Act::PerRevolution(true) if core.unit() == Unit::Inch => {
+                return core.refuse(m.span, codes::K9008::unit_of_f_under_m136_in_inch());
+            }
+            Act::PerRevolution(on) => self.feed.switch(on),
+            Act::ShortPoints => core.say(m.span, codes::K2804::m124_leaves_out_points_on_control()),
+            Act::CompensationOnly | Act::LookAhead if core.computes_path() && self.compensation.is_on() => {}
+            Act::CompensationOnly | Act::LookAhead => {
+                core.say(m.span, codes::K2703::m_has_no_word_in_output(&m.number));
+            }
+            _ => {}
+        }
+        Ok(changes)
+    }
+}
+
+impl View<'_, '_> {
+    /// Refuses M functions that no path can be computed with, before anything of the block acts.
+    pub(super) fn check_m(&self, w: &Words) -> Outcome {
+        self.no_m_in_contour(w)?;
+        let compensated = self.st.compensation.is_on() || matches!(w.comp, Some(Comp::Side(Side::Left | Side::Right)));
+        for m in w.m() {
+            match entry(m.number) {
+                Some((Act::Refused, _)) => {
+                    let (what, help) = refusal(m.number);
+                    return self.core.refuse(m.span, codes::K9008::m(&m.number, &what).help(help));
+                }
+                Some(_) if m.number == 130 && self.st.frames.transform().turn.0 != 0.0 => {
+                    return self.core.refuse(m.span, codes::K9008::m130_takes_this_block_out_of_working());
+                }
+                Some((Act::CompensationOnly | Act::LookAhead, _))
+                    if compensated && acts(m) && !self.core.computes_path() =>
+                {
+                    return self.core.refuse(m.span, codes::K9008::m_changes_compensated_path(&m.number));
+                }
+                Some(_) => {}
+                None if self.core.job.settings.output.pass_m.contains(&m.number) => {}
+                None => {
+                    let fault = codes::P2007::m_is_function_of_machine_builder(&m.number);
+                    return self.core.refuse(m.span, fault.help(self.may_be_passed(m.number)));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What to say of a function of the machine builder.
+    fn may_be_passed(&self, number: u32) -> Help {
+        let usual = format!("if the target machine understands it, add `[output] pass_m = [{number}]`");
+        match self.st.tool.change {
+            Change::Called { .. } | Change::Printed { moved: false } => Answer::pass_m(number)
+                .help(format!(
+                    "if it changes to the tool of the TOOL CALL, say so: `[control] tool_change_m = [{number}]`; {usual}"
+                ))
+                .and(Answer::changing_m(number)),
+            _ => Answer::pass_m(number).help(usual),
+        }
+    }
+
+    /// Refuses what says how a block moves, in a contour that is only described.
+    fn no_m_in_contour(&self, w: &Words) -> Outcome {
+        let Some(label) = &self.st.described else { return Ok(()) };
+        let paraxial = matches!(w.comp, Some(Comp::Paraxial(_))).then_some(w.comp_span);
+        let speed = w.speed.map(|_| w.speed_span);
+        let Some(span) = w.m().first().map(|m| m.span).or(speed).or(paraxial) else { return Ok(()) };
+        self.core.refuse(span, codes::K2951::stands_in_contour(&self.core.word_text(span), &label))
     }
 }
 

@@ -4,6 +4,9 @@ use crate::diag::{Code, codes};
 use crate::ir::compensation::FeedAt;
 use crate::ir::function::Turn;
 use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::Core;
 
 /// The number of the M function that changes the tool.
 pub(super) const M6: u32 = 6;
@@ -169,6 +172,27 @@ pub(super) fn refused_code(number: u32, pass_m: &[u32]) -> Option<&'static Code>
         Some((Act::Refused, _)) => Some(codes::K9008),
         None if !pass_m.contains(&number) => Some(codes::P2007),
         _ => None,
+    }
+}
+
+/// M functions of which it was said that they are left out.
+#[derive(Debug, Default)]
+pub(super) struct Noted(Vec<u32>);
+
+impl Noted {
+    /// Says once of each function that it is left out.
+    pub fn note(&mut self, core: &Core<'_>, number: u32, span: Span) {
+        if self.0.contains(&number) {
+            return;
+        }
+        self.0.push(number);
+        let what = match number {
+            91 | 92 => "stands in a block without coordinates, and has",
+            94 => "finds no rotary axis beyond a turn, and has",
+            103 | 111 | 117 | 127 | 129 | 137 => "switches off what is not on, and has",
+            _ => "has",
+        };
+        core.say(span, codes::K2703::m_no_word_in_output(&number, &what));
     }
 }
 

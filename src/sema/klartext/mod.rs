@@ -8,6 +8,7 @@ mod active_tool;
 mod approach;
 mod arcs;
 mod blank;
+mod block_text;
 mod builders_cycle;
 mod capture;
 mod change;
@@ -15,8 +16,8 @@ mod compensation;
 mod contour;
 mod contour_area;
 mod contour_data;
-mod contour_train;
 mod cycle;
+mod cycle_blocks;
 mod cycle_call;
 mod cycle_definition;
 mod cycle_effects;
@@ -27,12 +28,15 @@ mod eval;
 mod feed;
 mod fk;
 mod flow;
+mod frame_state;
 mod frames;
+mod gather;
 mod global_def;
 mod known;
 mod labels;
 mod lane;
 mod left_out;
+mod level;
 mod m_functions;
 mod m_table;
 mod meanings;
@@ -45,46 +49,51 @@ mod plane;
 mod plane_normal;
 mod point_table;
 mod polar;
+mod pole;
 mod probing;
 mod probing_datum;
 mod program_pattern;
+mod programs;
+mod reading;
 mod refused;
 mod rotary;
+mod sending;
+mod spindle;
 mod state;
 mod survey;
 mod system;
 mod text_functions;
 mod tool;
+mod tool_table;
 mod transformation;
 mod unexecuted;
 mod vars;
 mod words;
 
-use crate::diag::{CallPath, Code, Fault, codes};
-use crate::ir::Function;
-use crate::ir::contour::{Move, Path, Sink};
-use crate::machine::{AxisSet, Proposed, Unit};
-use crate::parser::klartext::ast::{Block, Stmt};
+use crate::diag::{CallPath, Code, codes};
+use crate::ir::contour::Sink;
+use crate::machine::{AxisSet, Unit};
+use crate::parser::klartext::ast::{Block, PathFn, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block, straight};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Loc, Span, SplitRules};
-use std::cell::RefCell;
 
 pub use cycles::signatures as cycle_signatures;
 pub use survey::survey;
 pub use unexecuted::check_unexecuted;
 
-use super::run::place::move_beside;
 use super::run::unexecuted::Blocks;
 use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
+use block_text::block_name;
 use cycle::Cycles;
-use flow::{Frame, FrameKind};
 use labels::Labels;
+use level::Frame;
+use pattern_def::{Places, begins_pattern};
 use state::State;
-use vars::{Locals, Vars};
+use vars::Vars;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
@@ -92,23 +101,19 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         core: Core::new(job, out),
         st: State::new(job.settings),
         vars: Vars::default(),
-        proposed: RefCell::default(),
+        tools: tool_table::Tools::default(),
         cycles: Cycles::default(),
         contours: cycles::data::Contours::default(),
-        capture: None,
-        defined: tool::Defined::default(),
         approach: None,
         free: None,
-        places: None,
-        places_lost: false,
+        pattern: pattern_def::Pattern::default(),
         datum_table: datum_table::DatumTable::default(),
         globals: global_def::Globals::default(),
         selected: None,
-        feed_left: None,
-        noted: Vec::new(),
+        noted: m_table::Noted::default(),
         machine: Machine::new(eval::rules(job.settings)),
         words: None,
-        skipped: None,
+        skipped: probing::Skipped::default(),
         plain: false,
     };
     if run::run(&mut run) { run.core.hash() } else { 0 }
@@ -213,36 +218,28 @@ struct Run<'a> {
     core: Core<'a>,
     st: State,
     vars: Vars,
-    /// Numbers proposed for tools without one.
-    proposed: RefCell<Proposed>,
+    /// What the program says of tools.
+    tools: tool_table::Tools,
     cycles: Cycles,
     /// What cycles 14, 20 and 270 say.
     contours: cycles::data::Contours,
-    /// A contour whose subprogram runs.
-    capture: Option<Box<capture::Capture>>,
-    /// Tools of TOOL DEF.
-    defined: tool::Defined,
     /// An approach that waits for the first element of its contour.
     approach: Option<Box<approach::Approach>>,
     /// A free contour, and what is known of those in front.
     free: Option<Box<fk::Free>>,
     /// Places of PATTERN DEF.
-    places: Option<pattern_def::Places>,
-    /// The last PATTERN DEF was refused.
-    places_lost: bool,
+    pattern: pattern_def::Pattern,
     datum_table: datum_table::DatumTable,
     /// Values for PREDEF.
     globals: global_def::Globals,
     /// Program of SEL PGM.
     selected: Option<String>,
-    /// A program that is left out and may have left another feed.
-    feed_left: Option<Box<left_out::FeedLeft>>,
     /// M functions of which it was said that they are left out.
-    noted: Vec<u32>,
+    noted: m_table::Noted,
     machine: Machine,
     words: Option<Box<words::Words>>,
-    /// Number of a cycle whose definition was skipped, while lines of its parameters may follow.
-    skipped: Option<u32>,
+    /// A definition that was skipped, while lines of its parameters may follow.
+    skipped: probing::Skipped,
     /// A straight block may take the lane.
     plain: bool,
 }
@@ -259,7 +256,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let settings = self.core.job.settings;
         let (vars, locals) = Vars::new(&settings.variables);
         self.vars = vars;
-        self.refuse_entries_of_cycles();
+        self.core.refuse_entries_of_cycles();
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::main(settings.control.unit.unwrap_or_default(), locals))
     }
@@ -282,13 +279,14 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn end_of_file(&mut self) {
         self.plain = false;
         let _ = self.close_contour();
+        self.finish_cycle();
         self.file_over();
     }
 
     fn unread_block(&mut self) {
         self.plain = false;
         self.abandon_contour();
-        self.lose_all();
+        self.st.lose_all(&mut self.core);
     }
 
     /// A block that is left out takes the lines along in which it goes on.
@@ -306,17 +304,18 @@ impl<'a> Interpreter<'a> for Run<'a> {
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
         if self.core.skips(block.skip.then_some(0)) {
-            self.skip(block, text);
+            self.skipped.skip(block, text);
             return;
         }
-        if self.skipped.is_some() && self.belongs_to_skipped(block) {
+        if self.skipped.is_open() && self.skipped.takes(block) {
             return;
         }
         if self.core.job.settings.output.comments
             && let Some(comment) = block.comment
             && !matches!(block.stmt, Stmt::Cycle { .. } | Stmt::PatternDef)
+            && let Some(comment) = self.core.comment_of(&whole_comment(comment.of(text)))
         {
-            self.comment(comment.of(text));
+            self.function(comment);
         }
         match block.stmt {
             Stmt::Empty => return,
@@ -327,14 +326,14 @@ impl Run<'_> {
             }
             _ => {}
         }
-        if self.cycles.is_open() && !self.continues_cycle(block) {
+        if self.cycles.is_open() && !self.cycles.goes_on(block) {
             self.finish_cycle();
         }
         if self.contour_waits()
             && !fk::goes_on(block, &self.core.job.settings.control.tool_change_m)
             && self.close_contour().is_err()
         {
-            self.lose_feed(block);
+            self.st.feed.lose(block);
         }
         if self.approach.is_some()
             && !self.contour_waits()
@@ -345,162 +344,78 @@ impl Run<'_> {
         }
         // What went wrong was reported; the next block may show more.
         if self.statement(block, text).is_err() {
-            self.lose_feed(block);
+            self.st.feed.lose(block);
         }
     }
 
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        self.may_stand_in_contour(block)?;
+        self.st.may_stand_in_contour(&mut self.core, block)?;
         match block.stmt {
             Stmt::Empty | Stmt::Bad => Ok(()),
             Stmt::Path(function) => self.path_block(function, block),
             Stmt::Pole => self.pole_block(block),
-            Stmt::Paraxial => self.paraxial_block(block),
+            Stmt::Paraxial => self.path_block(PathFn::Line, block),
             Stmt::Functions => self.functions_block(block),
-            Stmt::Rounding | Stmt::Chamfer => self.corner_block(block),
+            Stmt::Rounding => self.corner_block(true, block),
+            Stmt::Chamfer => self.corner_block(false, block),
             Stmt::Stop => self.stop_block(block),
-            Stmt::Begin { name, unit } => self.begin(name.of(text), unit, block),
+            Stmt::Begin { name, unit } => self.core.begins(name.of(text), unit, block),
             Stmt::End { name, unit } => self.end(name.of(text), unit),
             Stmt::BlkForm => self.blank_form(block, text),
             Stmt::ToolDef => self.tool_def(block, text),
             Stmt::ToolCall => self.tool_call(block, text),
-            Stmt::Label(label) => self.label(label, text),
+            Stmt::Label(label) => self.core.passes_label(label, text),
             Stmt::CallLabel { label, repeat } => self.call_label(label, repeat, text),
-            Stmt::CallProgram(name) => self.call_program(name.of(text)),
-            Stmt::SelectProgram(name) => self.select_program(name.of(text)),
+            Stmt::CallProgram(name) => {
+                let name = self.reading().program_name(name.of(text))?;
+                self.call_program(&name)
+            }
+            Stmt::SelectProgram(name) => {
+                self.selected = Some(self.reading().program_name(name.of(text))?);
+                Ok(())
+            }
             Stmt::CallSelected => self.call_selected(),
-            Stmt::Assign(q) => self.assign(q, block, text),
-            Stmt::AssignText(q) => self.assign_text(q, block, text),
-            Stmt::Fn { target, .. } => self.assign(target, block, text),
-            Stmt::If { test, target, .. } => self.jump_if(test, target, text),
+            Stmt::Assign(q) | Stmt::AssignText(q) | Stmt::Fn { target: q, .. } => self.assign(q, block, text),
+            Stmt::If { test, .. } if !self.reading().holds(test, text)? => Ok(()),
+            Stmt::If { target, .. } => {
+                let label = self.reading().label(target, text)?;
+                self.core.jump(&label)
+            }
             Stmt::SystemRead(target) => self.system_read(target, block, text),
             Stmt::FnOther { number, rest } => self.fn_other(number, rest.of(text)),
             Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
             Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
             Stmt::Transform(kind) => self.transform_block(kind, block, text),
-            Stmt::PatternDef => self.pattern_def(block),
+            Stmt::PatternDef => {
+                let places = Places::read(self.reading(), block);
+                self.pattern.define(places)
+            }
             Stmt::PlaneReset(_) => self.plane_block(block, text),
             Stmt::Approach => self.approach_block(block, text),
             Stmt::Fk(head) => self.fk_block(head, block, text),
             Stmt::Surface => {
-                let (name, span) = self.block_name(block, text, 1);
-                self.refuse_motion(span, codes::K9015::blocks_are_not_supported(&name))
+                let (name, span) = block_name(block, text, 1);
+                self.st.refuse_motion(&mut self.core, span, codes::K9015::blocks_are_not_supported(&name))
             }
             Stmt::Iso => {
-                let (name, span) = self.block_name(block, text, 1);
-                self.refuse_motion(span, codes::P9012::is_din_iso_word(&name))
+                let (name, span) = block_name(block, text, 1);
+                self.st.refuse_motion(&mut self.core, span, codes::P9012::is_din_iso_word(&name))
             }
             Stmt::Refused(what, _) => self.refused(what, block, text),
         }
     }
 
-    /// A block that would move is refused: afterwards no position is known.
-    fn refuse_motion(&mut self, span: Span, fault: Fault) -> Outcome {
-        self.core.say(span, fault);
-        self.lose_all();
-        Err(Reported)
-    }
-
-    /// Nothing is known behind this block; what only suffers from it is not worth another error.
-    fn lose_all(&mut self) {
-        self.st.lose(crate::machine::AxisSet::MAIN);
-        self.st.polar.lose_pole();
-        self.lost();
-    }
-
     /// A block that cannot be read, which was reported. A parameter that it would have set is lost.
     fn bad_block(&mut self, block: &Block, text: &[u8]) {
-        self.st.lose(crate::machine::AxisSet::MAIN);
-        self.lose_feed(block);
-        self.lost();
-        self.lose_target(block.span.of(text));
-        self.refused_definition(block.span.of(text));
-        self.refused_pattern(block.span.of(text));
-    }
-
-    /// The first words of the block as written, which name its function.
-    fn block_name(&self, block: &Block, text: &[u8], words: usize) -> (String, Span) {
-        let code = block.span.of(text);
-        let mut len = 0;
-        for _ in 0..words {
-            let rest = &code[len..];
-            len += rest.iter().take_while(|b| b.is_ascii_whitespace()).count();
-            len += code[len..].iter().take_while(|b| !b.is_ascii_whitespace()).count();
+        let written = block.span.of(text);
+        self.st.lose(AxisSet::MAIN);
+        self.st.feed.lose(block);
+        self.st.lost(&mut self.core);
+        self.vars.lose_target(&mut self.core, written);
+        self.refused_definition(written);
+        if begins_pattern(written) {
+            let _ = self.pattern.define(Err(Reported));
         }
-        let span = Span::at(block.span.start, len as u32);
-        (crate::text::decode::readable(&code[..len]).split_whitespace().collect::<Vec<_>>().join(" "), span)
-    }
-
-    fn comment(&mut self, text: &[u8]) {
-        let mut whole = Vec::new();
-        // A long comment goes over several lines.
-        for line in text.split(|b| *b == b'\n') {
-            let line = line.trim_ascii();
-            let line = line.strip_suffix(b"~").unwrap_or(line).trim_ascii();
-            if !whole.is_empty() && !line.is_empty() {
-                whole.push(b' ');
-            }
-            whole.extend_from_slice(line);
-        }
-        if let Some(comment) = self.core.comment_of(&whole) {
-            self.function(comment);
-        }
-    }
-
-    #[inline]
-    fn movement(&mut self, mv: &Move) {
-        if !matches!(self.st.tool.change, active_tool::Change::None) {
-            self.watch_move(mv);
-        }
-        if let Some(corner) = self.st.corner.take() {
-            self.side_at_corner(&corner, mv.side);
-        }
-        if !mv.end.known().without(AxisSet::MAIN).is_empty() {
-            // Another side of the part may lie under the tool.
-            self.contours.roughed = known::Known::Nothing;
-        }
-        if self.moves_beside(mv.end.known(), matches!(mv.path, Path::Rapid)) {
-            return;
-        }
-        self.core.send_move(mv, &self.st.ctx);
-    }
-
-    /// Reports a move that does not name the axes that a left-out cycle moved; behind a left-out probe only cuts have to.
-    pub(in crate::sema) fn moves_beside(&mut self, named: AxisSet, rapid: bool) -> bool {
-        let position = &self.st.position;
-        let probed = if rapid { AxisSet::EMPTY } else { position.left_by_probes() };
-        let left = position.left_by_calls().union(probed);
-        if left.is_empty() || self.is_capturing() {
-            return false;
-        }
-        let found = move_beside(position, left, named, &self.st.ctx.frame, self.core.here.origin.loc);
-        let Some(found) = found else { return false };
-        self.core.report(found);
-        self.lose_all();
-        true
-    }
-
-    fn function(&mut self, function: Function) {
-        if self.is_capturing() {
-            return;
-        }
-        if let Some(approach) = &mut self.approach
-            && approach.held.len() < approach::MOST_HELD
-        {
-            return approach.held.push(approach::Held::Function(function, self.core.here.origin));
-        }
-        self.core.send_function(&function, &self.st.ctx);
-    }
-
-    /// Nobody knows where the tool is.
-    fn lost(&mut self) {
-        self.st.corner = None;
-        self.core.send_lost(&self.st.ctx);
-    }
-
-    fn locals(&self) -> &Locals {
-        let locals = self.core.levels.iter().rev().find_map(|level| level.frame.locals.as_ref());
-        locals.expect("the main level has locals")
     }
 
     /// End of the whole run: what is still open is worth a word.
@@ -508,24 +423,31 @@ impl Run<'_> {
         let _ = self.close_contour();
         self.warn_of_unclosed();
         let _ = self.forbid_open_approach();
-        if self.cycles.is_open() {
-            self.finish_cycle();
-        }
-        self.note_uncalled();
-        self.forgotten_change();
-        self.refuse_compensated("the program ends");
+        self.finish_cycle();
+        self.cycles.note_uncalled(&self.core);
+        self.st.tool.warn_of_forgotten(&self.core);
+        self.st.refuse_compensated(&mut self.core, "the program ends");
         if self.st.compensation.is_on() {
-            self.core.report(codes::P2041::program_ends_with_radius_compensation().at(self.core.here.origin.loc));
+            self.core.say_here(codes::P2041::program_ends_with_radius_compensation());
         }
         if !self.st.frames.transform().is_none() {
-            self.core.report(codes::K2502::program_ends_with_transformation_in_force().at(self.core.here.origin.loc));
+            self.core.say_here(codes::K2502::program_ends_with_transformation_in_force());
         }
     }
+}
 
-    /// A call level of kind Main or Program: the innermost program.
-    fn in_called_program(&self) -> bool {
-        self.core.levels.iter().any(|level| level.frame.kind == FrameKind::Program)
+/// The text of a comment, which may go over several lines.
+fn whole_comment(text: &[u8]) -> Vec<u8> {
+    let mut whole = Vec::new();
+    for line in text.split(|b| *b == b'\n') {
+        let line = line.trim_ascii();
+        let line = line.strip_suffix(b"~").unwrap_or(line).trim_ascii();
+        if !whole.is_empty() && !line.is_empty() {
+            whole.push(b' ');
+        }
+        whole.extend_from_slice(line);
     }
+    whole
 }
 
 /// May the block stand between an approach and the first element of its contour, or is it that element?

@@ -3,8 +3,8 @@
 use crate::diag::codes;
 use crate::geo::{Point2, SAME_POINT, arc, distance};
 use crate::lexer::klartext::{QKind, QRef};
+use crate::sema::run::Where;
 
-use super::flow::innermost_locals;
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
@@ -12,7 +12,7 @@ impl Run<'_> {
     /// FN 14 and up. What writes to screens and files only has no influence on the path.
     pub(super) fn fn_other(&mut self, number: u32, rest: &[u8]) -> Outcome {
         if matches!(number, 17..=29) {
-            self.lose_target(rest);
+            self.vars.lose_target(&mut self.core, rest);
         }
         let rest = crate::text::decode::readable(rest).to_ascii_uppercase();
         match number {
@@ -23,46 +23,30 @@ impl Run<'_> {
                 Err(Reported)
             }
             15 | 16 | 38 => {
-                self.left_out(&format!("FN {number} writes to a screen, a file or a log, and"));
+                self.core.left_out(&format!("FN {number} writes to a screen, a file or a log, and"));
                 Ok(())
             }
             23 => self.circle_data(&rest),
-            24 => {
-                self.core.say_here(codes::P9011::fn_24_fits_circle_to_four_points());
-                Err(Reported)
-            }
+            24 => self.core.refuse(Where::Block, codes::P9011::fn_24_fits_circle_to_four_points()),
             20 if rest.trim_start_matches("WAIT FOR").trim() == "SYNC" => {
-                self.left_out("FN 20: WAIT FOR SYNC stops the look-ahead of the control only, and");
+                self.core.left_out("FN 20: WAIT FOR SYNC stops the look-ahead of the control only, and");
                 Ok(())
             }
-            26..=28 => {
-                self.core.say_here(codes::K9006::fn_works_on_table_of_control(&number));
-                Err(Reported)
-            }
+            26..=28 => self.core.refuse(Where::Block, codes::K9006::fn_works_on_table_of_control(&number)),
             37 => {
                 let name = rest.trim_start_matches("EXPORT").trim();
                 match name.strip_prefix("QL").and_then(|digits| digits.parse().ok()) {
-                    Some(number) => self.export(number),
-                    None => {
-                        self.core.say_here(codes::P1001::fn_37_exports_ql_parameter());
-                        Err(Reported)
-                    }
+                    Some(number) => self.vars.export(&mut self.core, number),
+                    None => self.core.refuse(Where::Block, codes::P1001::fn_37_exports_ql_parameter()),
                 }
             }
             // Values for the machine's own control; the path does not depend on them (K 5.2).
             19 | 29 => {
-                self.core
-                    .report(codes::K2212::fn_gives_values_to_plc_of_machine(&number).at(self.core.here.origin.loc));
+                self.core.say_here(codes::K2212::fn_gives_values_to_plc_of_machine(&number));
                 Ok(())
             }
-            17 | 20 | 25 => {
-                self.core.say_here(codes::K9014::fn_talks_to_machine(&number));
-                Err(Reported)
-            }
-            _ => {
-                self.core.say_here(codes::P9011::fn_is_not_supported(&number));
-                Err(Reported)
-            }
+            17 | 20 | 25 => self.core.refuse(Where::Block, codes::K9014::fn_talks_to_machine(&number)),
+            _ => self.core.refuse(Where::Block, codes::P9011::fn_is_not_supported(&number)),
         }
     }
 
@@ -79,31 +63,20 @@ impl Run<'_> {
         };
         let at = |number| QRef { kind: QKind::Q, number };
         for number in target..target + 3 {
-            self.set(at(number), Slot::Lost, span)?;
+            self.vars.assign(&mut self.core, at(number), Slot::Lost, span)?;
         }
         let mut points = [Point2::origin(); 3];
         for (i, point) in (0..).zip(&mut points) {
-            *point = Point2::new(self.parameter(at(from + 2 * i), span)?, self.parameter(at(from + 2 * i + 1), span)?);
+            let of = |number| self.reading().parameter(at(number), span);
+            *point = Point2::new(of(from + 2 * i)?, of(from + 2 * i + 1)?);
         }
         let [a, b, c] = points;
         let Some((center, _)) = arc::through(a, b, c, SAME_POINT) else {
             return self.core.refuse(span, codes::P2022::no_circle_leads_through_three_points());
         };
         for (number, value) in (target..).zip([center.x, center.y, distance(a, center)]) {
-            self.set(at(number), Slot::Number(value), span)?;
+            self.vars.assign(&mut self.core, at(number), Slot::Number(value), span)?;
         }
         Ok(())
-    }
-
-    /// A statement without influence on the path.
-    pub(super) fn left_out(&self, what: &str) {
-        self.core.report(codes::K2805::has_no_word_in_output(&what).at(self.core.here.origin.loc));
-    }
-
-    /// A parameter that the control sets itself.
-    pub(super) fn set_control_parameter(&mut self, q: QRef, value: Slot) {
-        if let Some(locals) = innermost_locals(&mut self.core.levels) {
-            self.vars.set(locals, q, value);
-        }
     }
 }

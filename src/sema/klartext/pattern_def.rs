@@ -5,21 +5,23 @@
 //! higher.
 
 use crate::diag::{Label, codes};
-use crate::geo::{Deg, Point2, Vec2};
+use crate::geo::{Deg, Plane, Point2, Vec2};
 use crate::ir::contour::Path;
-use crate::ir::{Feed, Pos};
 use crate::lexer::klartext::PatternKind;
 use crate::machine::Axis;
 use crate::parser::klartext::ast::{Addr, Block, PatternWord, Word};
 use crate::sema::cycle::given::Given;
+use crate::sema::run::Where;
 use crate::text::{Loc, Span};
 
 use super::cycles::call::{By, Calling, Retract};
 use super::cycles::holes::OLD_CLEARANCE;
+use super::cycles::patterns::repeated;
 use super::cycles::{DefinedCycle, SURFACE};
 use super::patterns::{FIRST_PLACED, PLACES_A_STEP};
-use super::words::Admits;
-use super::{Outcome, Reported, Run};
+use super::reading::Reading;
+use super::words::{Admits, Words};
+use super::{Core, Outcome, Reported, Run};
 
 /// Heights that differ by less are one, mm.
 const SAME_HEIGHT: f64 = 1e-6;
@@ -121,66 +123,18 @@ impl Data<'_> {
             }
         }
     }
-}
-
-impl Run<'_> {
-    /// A block that cannot be read was to define a pattern: what runs over it suffers only from that.
-    pub(super) fn refused_pattern(&mut self, text: &[u8]) {
-        let begins = text.trim_ascii_start().get(..7).is_some_and(|head| head.eq_ignore_ascii_case(b"PATTERN"));
-        if begins {
-            (self.places, self.places_lost) = (None, true);
-        }
-    }
-
-    pub(super) fn pattern_def(&mut self, block: &Block) -> Outcome {
-        self.places = None;
-        let result = self.read_patterns(block);
-        self.places_lost = result.is_err();
-        result
-    }
-
-    fn read_patterns(&mut self, block: &Block) -> Outcome {
-        let loc = self.core.here.origin.loc;
-        let mut list = Vec::new();
-        let is_head = |word: &Word| matches!(word.addr, Addr::Pattern(_));
-        for part in block.words.chunk_by(|_, next| !is_head(next)) {
-            let Some((&Word { addr: Addr::Pattern(kind), span, .. }, words)) = part.split_first() else { continue };
-            let data = Data { kind, span, list: self.pattern_data(words)? };
-            self.add_places(&data, &mut list)?;
-            if list.len() > MOST {
-                return self.core.refuse(span, codes::K2411::has_too_many_places());
-            }
-        }
-        if list.is_empty() {
-            return self.core.refuse(self.core.block_span(), codes::K2411::names_no_place());
-        }
-        self.places = Some(Places { list, loc });
-        Ok(())
-    }
-
-    fn pattern_data<'b>(&mut self, words: &'b [Word]) -> Outcome<Vec<(&'b Word, f64)>> {
-        let mut list: Vec<(&Word, f64)> = Vec::with_capacity(words.len());
-        for word in words {
-            let value = self.number(word.value, word.span)?;
-            if list.iter().any(|(other, _)| other.addr == word.addr) {
-                return self.core.refuse(word.span, codes::K2411::word_stands_twice(&self.word_text(word.span)));
-            }
-            list.push((word, value));
-        }
-        Ok(list)
-    }
 
     /// The places of one pattern.
-    fn add_places(&mut self, data: &Data<'_>, list: &mut Vec<Place>) -> Outcome {
-        let mm = self.core.level().frame.unit.mm();
-        let (first, second, third) = self.st.plane().axes();
-        let (name, span) = (data.kind.name(), data.span);
-        let (Some(x), Some(y)) = (data.along(first), data.along(second)) else {
+    fn add_places(&self, core: &Core<'_>, plane: Plane, list: &mut Vec<Place>) -> Outcome {
+        let mm = core.mm();
+        let (first, second, third) = plane.axes();
+        let (name, span) = (self.kind.name(), self.span);
+        let (Some(x), Some(y)) = (self.along(first), self.along(second)) else {
             let [u, v] = [first, second].map(|axis| Axis::ALL[axis].letter());
-            return self.core.refuse(span, codes::K2411::needs_its_place(&name, &u, &v));
+            return core.refuse(span, codes::K2411::needs_its_place(&name, &u, &v));
         };
-        let (needed, also) = data.takes();
-        for (word, _) in &data.list {
+        let (needed, also) = self.takes();
+        for (word, _) in &self.list {
             let fits = match word.addr {
                 Addr::Axis { axis, incremental } => {
                     !incremental && [first, second, third].iter().any(|known| Axis::ALL[*known] == axis)
@@ -189,64 +143,122 @@ impl Run<'_> {
                 _ => false,
             };
             if !fits {
-                return self.core.refuse(word.span, codes::K2411::has_no_such_word(&name, &self.word_text(word.span)));
+                return core.refuse(word.span, codes::K2411::has_no_such_word(&name, &core.word_text(word.span)));
             }
         }
-        if data.of(PatternWord::Step).is_some() && data.of(PatternWord::End).is_some() {
-            return self.core.refuse(span, codes::K2411::has_step_and_end(&name));
+        if self.of(PatternWord::Step).is_some() && self.of(PatternWord::End).is_some() {
+            return core.refuse(span, codes::K2411::has_step_and_end(&name));
         }
-        if matches!(data.kind, PatternKind::Circ | PatternKind::PitchCirc) && data.or_zero(PatternWord::D) < 0.0 {
-            return self.core.refuse(span, codes::K2411::diameter_is_below_zero(&name));
+        if matches!(self.kind, PatternKind::Circ | PatternKind::PitchCirc) && self.or_zero(PatternWord::D) < 0.0 {
+            return core.refuse(span, codes::K2411::diameter_is_below_zero(&name));
         }
-        if let Some(missing) = needed.iter().find(|word| data.of(**word).is_none()) {
-            return self.core.refuse(span, codes::K2411::lacks_word(&name, &missing.name()));
+        if let Some(missing) = needed.iter().find(|word| self.of(**word).is_none()) {
+            return core.refuse(span, codes::K2411::lacks_word(&name, &missing.name()));
         }
-        let offsets = data.offsets(mm);
+        let offsets = self.offsets(mm);
         if offsets.is_empty() {
-            return self.core.refuse(span, codes::K2411::has_no_number_of_places(&name));
+            return core.refuse(span, codes::K2411::has_no_number_of_places(&name));
         }
-        if matches!(data.kind, PatternKind::Pat | PatternKind::Frame) {
-            self.core
-                .job
-                .diags
-                .push_once(codes::K2410::places_of_are_visited_line_by_line(&name).at(self.core.loc(span)));
+        if matches!(self.kind, PatternKind::Pat | PatternKind::Frame) {
+            core.note(span, codes::K2410::places_of_are_visited_line_by_line(&name));
         }
-        let (at, surface) = (Point2::new(x * mm, y * mm), data.along(third).unwrap_or(0.0) * mm);
-        self.warn_of_repeated_places(name, offsets.iter().map(|offset| at + *offset), self.core.loc(span));
+        let (at, surface) = (Point2::new(x * mm, y * mm), self.along(third).unwrap_or(0.0) * mm);
+        if let Some(fault) = repeated(name, offsets.iter().map(|offset| at + *offset)) {
+            core.say(span, fault);
+        }
         list.extend(offsets.into_iter().map(|offset| Place { at: at + offset, surface, clearance: None }));
         Ok(())
     }
+}
 
+/// The places at which CYCL CALL PAT runs.
+#[derive(Debug, Default)]
+pub(super) struct Pattern {
+    places: Option<Places>,
+    /// The last definition was refused.
+    lost: bool,
+}
+
+impl Pattern {
+    /// PATTERN DEF, SEL PATTERN, or one of them that was refused.
+    pub fn define(&mut self, places: Outcome<Places>) -> Outcome {
+        self.lost = places.is_err();
+        let (places, result) = places.map_or_else(|reported| (None, Err(reported)), |places| (Some(places), Ok(())));
+        self.places = places;
+        result
+    }
+}
+
+/// Is a block that cannot be read one that was to define a pattern? What runs over it suffers only from that.
+pub(super) fn begins_pattern(text: &[u8]) -> bool {
+    text.trim_ascii_start().get(..7).is_some_and(|head| head.eq_ignore_ascii_case(b"PATTERN"))
+}
+
+impl Places {
+    /// Reads PATTERN DEF.
+    pub fn read(reading: Reading<'_, '_>, block: &Block) -> Outcome<Places> {
+        let core = reading.core;
+        let mut list = Vec::new();
+        let is_head = |word: &Word| matches!(word.addr, Addr::Pattern(_));
+        for part in block.words.chunk_by(|_, next| !is_head(next)) {
+            let Some((&Word { addr: Addr::Pattern(kind), span, .. }, words)) = part.split_first() else { continue };
+            let data = Data { kind, span, list: pattern_data(reading, words)? };
+            data.add_places(core, reading.st.plane(), &mut list)?;
+            if list.len() > MOST {
+                return core.refuse(span, codes::K2411::has_too_many_places());
+            }
+        }
+        if list.is_empty() {
+            return core.refuse(Where::Block, codes::K2411::names_no_place());
+        }
+        Ok(Places { list, loc: core.here.origin.loc })
+    }
+}
+
+/// The words of a pattern with their values.
+fn pattern_data<'b>(reading: Reading<'_, '_>, words: &'b [Word]) -> Outcome<Vec<(&'b Word, f64)>> {
+    let mut list: Vec<(&Word, f64)> = Vec::with_capacity(words.len());
+    for word in words {
+        let value = reading.number(word.value, word.span)?;
+        if list.iter().any(|(other, _)| other.addr == word.addr) {
+            let text = reading.core.word_text(word.span);
+            return reading.core.refuse(word.span, codes::K2411::word_stands_twice(&text));
+        }
+        list.push((word, value));
+    }
+    Ok(list)
+}
+
+impl Run<'_> {
     /// Runs the machining cycle at all places of the PATTERN DEF in force.
     pub(super) fn call_pattern(&mut self, block: &Block) -> Outcome {
         // The first word is PAT itself.
         let mut rest = block.clone();
         rest.words.drain(..1);
-        let w = self.gather(&rest, "CYCL CALL PAT", Admits::FEED.and(Admits::M))?;
-        self.check_m(&w)?;
-        self.forbid_m(&w, "CYCL CALL PAT", &[2, 30, 89, 91, 92, 99])?;
-        let Some(places) = self.places.take() else {
-            if self.places_lost {
+        let admits = Admits::FEED.and(Admits::M);
+        let w = self.gather_m(&rest, "CYCL CALL PAT", admits, &[2, 30, 89, 91, 92, 99])?;
+        let Some(places) = self.pattern.places.take() else {
+            if self.pattern.lost {
                 return Err(Reported);
             }
-            return self.core.refuse(self.core.block_span(), codes::K9010::cycl_call_pat_runs_over_pattern());
+            return self.core.refuse(Where::Block, codes::K9010::cycl_call_pat_runs_over_pattern());
         };
         let result = self.run_pattern(&w, &places);
-        self.places = Some(places);
+        self.pattern.places = Some(places);
         result
     }
 
-    fn run_pattern(&mut self, w: &super::words::Words, places: &Places) -> Outcome {
-        if let Some(name) = self.program_of_cycle_12() {
+    fn run_pattern(&mut self, w: &Words, places: &Places) -> Outcome {
+        if let Some(name) = self.cycles.program() {
             return self.run_program_pattern(w, places, &name);
         }
         let cycle = self.pattern_subject("CYCL CALL PAT")?;
         let old = matches!(cycle.number, 1..=5 | 17);
         if cycle.number < FIRST_PLACED && !old {
-            return self.refuse_cycle(&cycle, codes::P9010::running_it_at_places_of_pattern_def());
+            return cycle.refuse(&self.core, codes::P9010::running_it_at_places_of_pattern_def());
         }
         if !old {
-            self.has_a_surface(&cycle, "CYCL CALL PAT")?;
+            cycle.has_a_surface(&self.core, "CYCL CALL PAT")?;
         }
         if places.list.is_empty() {
             self.core.report(
@@ -255,7 +267,7 @@ impl Run<'_> {
                     .also(places.loc, Label::SelectedHere),
             );
         }
-        self.same_unit(&cycle)?;
+        cycle.same_unit(&self.core)?;
         let given = self.checked(&cycle)?;
         let own = given.length(SURFACE);
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
@@ -270,72 +282,51 @@ impl Run<'_> {
         self.core.budget.take(places.list.len() as u64 / PLACES_A_STEP);
         self.m_at_start(w, true)?;
         let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
-        let height = self.position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?;
+        let height = self.view().position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?;
         if old {
-            self.old_cycle_starts(&cycle, &given, (places, height))?;
-            return self.run_old_pattern(w, (&cycle, &given), places, feed);
+            cycle.starts_at(&self.core, &given, (places, height))?;
         }
         for (i, place) in places.list.iter().enumerate() {
             self.core.goes_on()?;
-            let clear = self.heights(&cycle, &given, place.surface);
-            let axis = self.st.axis();
-            let free = place.clearance.map_or(clear.second, |height| height.max(clear.second));
-            if self.st.position.get(axis).is_none_or(|at| at < free) {
-                let mut up = Pos::UNKNOWN;
-                up.set(axis, free);
-                self.send(&up, Path::Rapid);
-            }
-            let mut end = Pos::UNKNOWN;
-            end.set_in_plane(self.st.plane(), place.at);
-            self.st.polar.forget_last();
-            self.send(&end, Path::straight(feed));
-            // The higher one of the clearances here and at the next place.
-            let next = places.list.get(i + 1).and_then(|next| next.clearance);
-            let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
-            let calling = Calling { shift: place.surface, retract: Retract::To(height), by: By::Pattern };
+            let calling = match old {
+                // From place to place at the set-up clearance, to which an old cycle comes back.
+                true => Calling { by: By::Pattern, ..Calling::HERE },
+                false => {
+                    let clear = cycle.heights(&self.core, &given, place.surface);
+                    self.rise_to(place.clearance.map_or(clear.second, |height| height.max(clear.second)));
+                    // The higher one of the clearances here and at the next place.
+                    let next = places.list.get(i + 1).and_then(|next| next.clearance);
+                    let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
+                    Calling { shift: place.surface, retract: Retract::To(height), by: By::Pattern }
+                }
+            };
+            self.go_in_plane(place.at, Path::straight(feed));
             self.run_given(&cycle, &given, calling)?;
         }
-        self.m_at_end(w)
+        self.m_at_end(w.m())
     }
+}
 
+impl DefinedCycle {
     /// The old cycles start where the tool stands, at their set-up clearance. Whether they come to it above the Z of a
     /// place is open, so the tool has to stand there.
-    fn old_cycle_starts(&self, cycle: &DefinedCycle, given: &Given, (places, height): (&Places, f64)) -> Outcome {
+    fn starts_at(&self, core: &Core<'_>, given: &Given, (places, height): (&Places, f64)) -> Outcome {
         let clearance = given.magnitude(OLD_CLEARANCE);
         let wrong = places.list.iter().find_map(|place| {
             let start = place.surface + clearance;
             let lifts = place.clearance.filter(|high| *high > height + SAME_HEIGHT);
             match lifts {
-                Some(high) => Some(codes::P9010::cycle_at_place_of_clearance(&cycle.number, &high)),
+                Some(high) => Some(codes::P9010::cycle_at_place_of_clearance(&self.number, &high)),
                 None if (height - start).abs() > SAME_HEIGHT => {
-                    Some(codes::P9010::cycle_starts_where_tool_stands(&cycle.number, &height, &clearance, &start))
+                    Some(codes::P9010::cycle_starts_where_tool_stands(&self.number, &height, &clearance, &start))
                 }
                 None => None,
             }
         });
         let Some(fault) = wrong else { return Ok(()) };
-        let found = fault.at(self.core.here.origin.loc);
-        self.core.report(found.also(places.loc, Label::Pattern).also(cycle.loc, Label::Cycle));
+        let found = fault.at(core.here.origin.loc);
+        core.report(found.also(places.loc, Label::Pattern).also(self.loc, Label::Cycle));
         Err(Reported)
-    }
-
-    /// From place to place at the set-up clearance, to which an old cycle comes back.
-    fn run_old_pattern(
-        &mut self,
-        w: &super::words::Words,
-        (cycle, given): (&DefinedCycle, &Given),
-        places: &Places,
-        feed: Option<Feed>,
-    ) -> Outcome {
-        for place in &places.list {
-            self.core.goes_on()?;
-            let mut end = Pos::UNKNOWN;
-            end.set_in_plane(self.st.plane(), place.at);
-            self.st.polar.forget_last();
-            self.send(&end, Path::straight(feed));
-            self.run_given(cycle, given, Calling { by: By::Pattern, ..Calling::HERE })?;
-        }
-        self.m_at_end(w)
     }
 }
 

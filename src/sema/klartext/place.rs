@@ -7,15 +7,20 @@
 use std::fmt::Display;
 
 use crate::diag::{Answer, Fault, codes};
-use crate::ir::Pos;
+use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
+use crate::ir::contour::ArcShape;
+use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::By;
+use crate::sema::common::plane::plane_axes;
 use crate::sema::run::Where;
 use crate::sema::run::place::{ACTIVE, Lack, Unknown, out_of_machine, zero};
+use crate::text::Span;
 
 use super::active_tool::ActiveTool;
+use super::state::State;
 use super::words::Words;
-use super::{Outcome, Run};
+use super::{Core, Outcome, Reported, Run};
 
 /// The name under `[datums]` of the place that M92 counts from.
 const BUILDERS: &str = "M92";
@@ -28,7 +33,14 @@ impl ActiveTool {
     }
 }
 
-impl Run<'_> {
+/// What a block sees: the machine under it, and the state before it. Nothing is changed by looking.
+#[derive(Clone, Copy)]
+pub(super) struct View<'v, 'a> {
+    pub core: &'v Core<'a>,
+    pub st: &'v State,
+}
+
+impl View<'_, '_> {
     /// The name under `[datums]` of the datum in force: the work offset that its preset is printed as.
     fn datum_name(&self) -> String {
         let Some(row) = self.st.frames.preset_row() else { return ACTIVE.to_owned() };
@@ -58,7 +70,7 @@ impl Run<'_> {
     }
 
     /// The machine coordinate at which an axis stands: named by an M91, or out of its place in the datum.
-    pub(super) fn machine_coordinate(&self, axis: Axis) -> Option<f64> {
+    pub fn machine_coordinate(&self, axis: Axis) -> Option<f64> {
         match (self.st.position.get(axis), self.st.position.hidden(axis)) {
             (Some(at), _) => {
                 let mut place = Pos::UNKNOWN;
@@ -76,16 +88,9 @@ impl Run<'_> {
         }
     }
 
-    /// These axes went to machine coordinates: their places are known where the datum is.
-    pub(super) fn moved_by_machine(&mut self, end: &Pos) {
-        let loc = self.core.here.origin.loc;
-        self.st.moved_by_machine(end, loc);
-        self.stand_in_machine(end);
-    }
-
     /// Machine coordinates of the axes that the next datum finds where they stand: not of those that never moved, which
     /// `[start]` tells in that datum, nor of those that somebody may have moved.
-    pub(super) fn machine_coordinates(&self) -> Pos {
+    pub fn machine_coordinates(&self) -> Pos {
         let position = &self.st.position;
         let start = position.start();
         let mut known = Pos::UNKNOWN;
@@ -99,20 +104,48 @@ impl Run<'_> {
         known
     }
 
-    /// Axes stand at machine coordinates: their places are known where the datum is.
-    pub(super) fn stand_in_machine(&mut self, at: &Pos) {
-        let places = out_of_machine(at, |axis, value| Some(value - self.zero_in_machine(axis).ok()?));
-        self.stand(&places);
+    /// M92: machine coordinates of an end point that counts from a place of the machine builder.
+    pub fn by_builders_datum(&self, w: &Words) -> Outcome<Pos> {
+        let span = w.any_m(&[92]).map_or(w.axes_span, |m| m.span);
+        if w.has_m(91) {
+            return self.core.refuse(span, codes::K9008::m91_m92_count_from_two_places());
+        }
+        let mut end = Pos::UNKNOWN;
+        for (axis, value) in w.axes.iter() {
+            match zero(&self.core.job.settings.datums, &[BUILDERS], axis) {
+                Ok(zero) => end.set(axis, zero + value),
+                Err(name) => {
+                    let fault = codes::K9008::m92_counts_from_position_that_machine_builder(&axis.letter(), &name);
+                    return self.core.refuse(span, fault.answer(Answer::datum(name)));
+                }
+            }
+        }
+        Ok(end)
     }
 
-    /// The change is over: axes stand where the configuration says.
-    pub(super) fn stand_after_change(&mut self) {
-        let (after, in_machine) = self.st.position.after_change();
-        let places = match in_machine {
-            true => out_of_machine(&after, |axis, value| Some(value - self.zero_in_machine(axis).ok()?)),
-            false => self.printed(after),
-        };
-        self.stand(&places);
+    /// An error where the position of an axis is needed and not known; `fault` makes it of the axis and why.
+    pub fn unknown_position<T>(
+        &self,
+        axis: Axis,
+        place: impl Into<Where>,
+        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
+    ) -> Outcome<T> {
+        let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
+        let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: " here" };
+        self.core.position_unknown(place, unknown, fault)
+    }
+
+    /// Where axes at machine coordinates stand in the datum, as far as that is known.
+    pub fn out_of_machine(&self, at: &Pos) -> Pos {
+        out_of_machine(at, |axis, value| Some(value - self.zero_in_machine(axis).ok()?))
+    }
+
+    /// Where the configuration says that a change of the tool leaves the axes.
+    pub fn after_change(&self) -> Pos {
+        match self.st.position.after_change() {
+            (after, true) => self.out_of_machine(&after),
+            (after, false) => self.printed(after),
+        }
     }
 
     /// Places that the control shows in the datum, as they are printed: with the oversize DL of TOOL CALL.
@@ -126,56 +159,136 @@ impl Run<'_> {
         places
     }
 
-    fn stand(&mut self, places: &Pos) {
-        // What compensates holds back a move; what is only described stands nowhere.
-        if self.st.compensation.is_on() || self.is_capturing() {
-            return;
+    /// Turns an axis value into an absolute one. `None` for axes that the block does not name.
+    pub fn absolute(&self, w: &Words) -> Outcome<Pos> {
+        if w.incremental.is_empty() {
+            return Ok(w.axes);
         }
-        let ctx = self.st.ctx.clone();
-        let known = self.st.position.stand_in_offset(places, &ctx.frame);
-        self.st.polar.forget_last_of(known.known());
-        self.core.stands_at(&known, &ctx);
-    }
-
-    /// The new length of the tool counts from here on, or the change moved the axis.
-    pub(super) fn forget_tip(&mut self) {
-        let (axes, loc) = (AxisSet::of(self.st.axis()), self.core.here.origin.loc);
-        self.st.position.forget_tip(axes, By::ToolChange, loc);
-        self.st.position.not_lost(axes);
-        self.st.polar.forget_last_of(axes);
-    }
-
-    /// M92: machine coordinates of an end point that counts from a place of the machine builder.
-    pub(super) fn by_builders_datum(&self, w: &Words) -> Outcome<Pos> {
-        let span = w.any_m(&[92]).map_or(w.axes_span, |m| m.span);
-        if w.has_m(91) {
-            return self.core.refuse(span, codes::K9008::m91_m92_count_from_two_places());
-        }
-        let mut end = Pos::UNKNOWN;
-        for (axis, value) in w.axes.iter() {
-            match zero(&self.core.job.settings.datums, &[BUILDERS], axis) {
-                Ok(zero) => end.set(axis, zero + value),
-                Err(name) => {
-                    return self.core.refuse(
-                        span,
-                        codes::K9008::m92_counts_from_position_that_machine_builder(&axis.letter(), &name)
-                            .answer(Answer::datum(name)),
-                    );
-                }
-            }
+        let mut end = w.axes;
+        for axis in w.incremental.iter() {
+            let from = self.position_of(axis, w.axes_span, "an incremental word")?;
+            end.set(axis, from + w.axes.get(axis).unwrap_or(0.0));
         }
         Ok(end)
     }
 
-    /// An error where the position of an axis is needed and not known; `fault` makes it of the axis and why.
-    pub(super) fn unknown_position<T>(
-        &self,
-        axis: Axis,
-        place: impl Into<Where>,
-        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
-    ) -> Outcome<T> {
-        let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
-        let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: " here" };
-        self.core.position_unknown(place, unknown, fault)
+    /// Programmed position of an axis; an error where it is not known.
+    pub fn position_of(&self, axis: Axis, span: Span, what: &str) -> Outcome<f64> {
+        if let Some(value) = self.st.position.programmed(axis) {
+            return Ok(value);
+        }
+        if self.st.position.is_lost(axis) {
+            return Err(Reported);
+        }
+        self.unknown_position(axis, span, |axis, why| codes::P2001::needs_position_of(&what, axis, why))
+    }
+
+    /// Where the tool stands in `plane`.
+    pub fn start_in(&self, plane: Plane, what: &str) -> Outcome<Point2> {
+        let (first, second, _) = plane.axes();
+        let span = self.core.block_span();
+        if self.st.position.stands_beside(plane_axes(plane)) {
+            return self.core.refuse(span, codes::K2604::starts_where_r_or_r_left_tool(&what));
+        }
+        let x = self.position_of(Axis::ALL[first], span, what)?;
+        let y = self.position_of(Axis::ALL[second], span, what)?;
+        Ok(Point2::new(x, y))
+    }
+
+    /// Length of an arc in its plane. An arc that does not exist has none: it is refused later.
+    pub fn arc_length(&self, plane: Plane, shape: ArcShape, end: &Pos) -> Outcome<f64> {
+        let from = self.start_in(plane, "M103")?;
+        let Some(to) = end.in_plane(plane) else { return Ok(0.0) };
+        let about = |center: Point2, ccw: bool| {
+            let whole = distance(from, to) <= SAME_POINT;
+            let sweep = if whole { core::f64::consts::TAU } else { arc::sweep(from, to, center, ccw).abs() };
+            distance(from, center) * sweep
+        };
+        Ok(match shape {
+            ArcShape::Center { center, ccw, .. } => about(center, ccw),
+            ArcShape::Sweep { center, sweep } => distance(from, center) * sweep.radians().abs(),
+            ArcShape::Radius { radius, ccw, tol } => {
+                arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol).map_or(0.0, |center| about(center, ccw))
+            }
+            // A tangential arc moves no other axis, and the rest is not of this language.
+            ArcShape::Tangent | ArcShape::Opening { .. } | ArcShape::Via { .. } => 0.0,
+        })
+    }
+
+    /// CT and CTP go on from the element of the program in front of them, not from the way of a cycle.
+    pub fn follows_a_block(&self, function: &str) -> Outcome {
+        if !self.st.position.moved_by_cycle() {
+            return Ok(());
+        }
+        self.core.refuse(Where::Block, codes::K2946::stands_directly_behind_cycle(&function))
+    }
+
+    /// M103: the feed component into the workpiece is limited.
+    ///
+    /// `in_plane` is the length of an arc; without it the way is straight.
+    #[inline]
+    pub fn plunged(&self, w: &Words, feed: Feed, end: &Pos, in_plane: Option<f64>) -> Feed {
+        match self.st.feed.plunge_share() {
+            Some(share) => self.shared_feed(w, feed, share, end, in_plane),
+            None => feed,
+        }
+    }
+
+    #[cold]
+    fn shared_feed(&self, w: &Words, feed: Feed, share: f64, end: &Pos, in_plane: Option<f64>) -> Feed {
+        let tool_axis = self.st.axis();
+        if end.get(tool_axis).is_none() {
+            return feed;
+        }
+        let mut step = nalgebra::Vector3::zeros();
+        let mut open = AxisSet::EMPTY;
+        for axis in AxisSet::MAIN.iter() {
+            match (end.get(axis), self.st.position.get(axis)) {
+                (Some(to), Some(from)) => step[axis.index()] = to - from,
+                (Some(_), None) => open.insert(axis),
+                (None, _) => {}
+            }
+        }
+        // Which way is down, and how long the way is, counts on the workpiece.
+        let linear = *self.st.ctx.frame.linear();
+        let real = linear * step;
+        let down = real[tool_axis.index()];
+        if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
+            self.core.say(w.axes_span, codes::K2709::start_of_this_move_is_not_known(&(share * 100.0)));
+            return feed.with_value(feed.value() * share);
+        }
+        if down >= 0.0 {
+            return feed;
+        }
+        let way = match in_plane {
+            Some(length) => {
+                let (first, ..) = self.st.plane().axes();
+                libm::hypot(length * linear.column(first).norm(), down)
+            }
+            None => real.norm(),
+        };
+        feed.with_value((feed.value() * share * way / -down).min(feed.value()))
+    }
+}
+
+impl<'a> Run<'a> {
+    /// What the block in hand sees.
+    #[inline]
+    pub(super) fn view(&self) -> View<'_, 'a> {
+        View { core: &self.core, st: &self.st }
+    }
+
+    /// These axes went to machine coordinates: their places are known where the datum is.
+    pub(super) fn moved_by_machine(&mut self, end: &Pos) {
+        let loc = self.core.here.origin.loc;
+        self.st.moved_by_machine(end, loc);
+        let places = self.view().out_of_machine(end);
+        self.st.stand(&mut self.core, &places);
+    }
+
+    /// The change is over: axes stand where the configuration says.
+    pub(super) fn stand_after_change(&mut self) {
+        let places = self.view().after_change();
+        self.st.stand(&mut self.core, &places);
     }
 }

@@ -9,15 +9,16 @@ use nalgebra::Vector3;
 use crate::diag::{Answer, Fault, codes};
 use crate::geo::Deg;
 use crate::lexer::klartext::{QKind, QRef};
-use crate::machine::{Axis, AxisSet};
+use crate::machine::Axis;
 use crate::parser::klartext::ast::Block;
-use crate::text::{Span, decode::readable, number::decimal};
+use crate::sema::run::Where;
+use crate::text::{Span, decode::readable};
 
+use super::block_text::block_name;
 use super::cycle_definition::{Labelled, Open};
 use super::plane_normal;
-use super::state::State;
+use super::reading::signed_number;
 use super::vars::Slot;
-use super::words::Words;
 use super::{Outcome, Reported, Run};
 
 /// What stands behind PLANE.
@@ -53,7 +54,7 @@ enum Effect {
 }
 
 impl Plane {
-    /// Reads the block; `parameter` gives the value of a parameter with its sign.
+    /// Reads the block; `parameter` gives the value of a number or a parameter with its sign.
     fn read(code: &str, parameter: &mut dyn FnMut(&str) -> Option<f64>) -> Plane {
         let mut plane = Plane::default();
         for (at, word) in code.split_whitespace().enumerate() {
@@ -69,10 +70,14 @@ impl Plane {
                 (_, "COORD" | "ROT", "") => {}
                 (_, "TABLE", "") => plane.ways.push("TABLE ROT".to_owned()),
                 (_, "FMAX" | "FAUTO", "") | (_, "SEQ" | "SYM", "+" | "-") => plane.ways.push(word.to_owned()),
-                (_, "F" | "DIST" | "ABST", number) if value(number).is_some() => plane.ways.push(word.to_owned()),
-                (_, "MB", rest) if !plane.retract && (rest.is_empty() || value(rest).is_some()) => plane.retract = true,
+                (_, "F" | "DIST" | "ABST", number) if signed_number(number).is_some() => {
+                    plane.ways.push(word.to_owned())
+                }
+                (_, "MB", rest) if !plane.retract && (rest.is_empty() || signed_number(rest).is_some()) => {
+                    plane.retract = true
+                }
                 (_, "MAX", "") if plane.retract => {}
-                _ => match value(rest).or_else(|| parameter(rest)) {
+                _ => match parameter(rest) {
                     Some(number) => plane.data.push((name.to_owned(), number)),
                     None => plane.open = true,
                 },
@@ -203,32 +208,10 @@ fn end_of_name(word: &str) -> usize {
     }
 }
 
-/// `+0`, `-12,5`, `40`.
-pub(super) fn value(text: &str) -> Option<f64> {
-    let (sign, digits) = match text.as_bytes() {
-        [b'-', digits @ ..] => (-1.0, digits),
-        [b'+', digits @ ..] => (1.0, digits),
-        digits => (1.0, digits),
-    };
-    let (number, len) = decimal(digits, true)?;
-    (len == digits.len()).then_some(sign * number)
-}
-
 /// Would the block be refused for what it does to the plane?
 pub(super) fn tilts(code: &[u8]) -> bool {
-    let plane = Plane::read(&readable(code).to_ascii_uppercase(), &mut |_| None);
+    let plane = Plane::read(&readable(code).to_ascii_uppercase(), &mut signed_number);
     !matches!(plane.effect(), Effect::Turned(_) | Effect::TurnedBy(_))
-}
-
-impl State {
-    /// Does every rotary axis that the program moved stand at zero?
-    fn stands_upright(&self) -> bool {
-        let at = self.ctx.frame.apply(self.position.at());
-        [Axis::A, Axis::B, Axis::C]
-            .into_iter()
-            .filter(|axis| self.rotary.has_moved(*axis))
-            .all(|axis| at.get(axis).is_some_and(|angle| (angle - self.rotary.turns_of(axis)) % 360.0 == 0.0))
-    }
 }
 
 impl Run<'_> {
@@ -236,7 +219,7 @@ impl Run<'_> {
     pub(super) fn plane_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let code = readable(block.span.of(text)).to_ascii_uppercase();
         let mut lost = false;
-        let plane = Plane::read(&code, &mut |rest| match self.signed_parameter(rest, block.span)? {
+        let plane = Plane::read(&code, &mut |rest| match self.reading().written(rest, block.span)? {
             Ok(value) => Some(value),
             Err(Reported) => {
                 lost = true;
@@ -244,10 +227,10 @@ impl Run<'_> {
             }
         });
         if lost {
-            self.lose_all();
+            self.st.lose_all(&mut self.core);
             return Err(Reported);
         }
-        let (name, span) = self.block_name(block, text, 2);
+        let (name, span) = block_name(block, text, 2);
         let angle = match plane.effect() {
             Effect::Turned(angle) => Ok(angle),
             Effect::TurnedBy(angle) => Ok(self.st.frames.transform().turn.0 + angle),
@@ -267,27 +250,10 @@ impl Run<'_> {
         };
         let angle = match angle {
             Ok(angle) => angle,
-            Err(fault) => return self.refuse_motion(span, fault),
+            Err(fault) => return self.st.refuse_motion(&mut self.core, span, fault),
         };
         let moves = plane.positioning.as_deref().is_some_and(|word| word != "STAY");
         self.turn_plane(&name, angle, (moves, plane.positioning.as_deref() == Some("TURN")), &plane.ways)
-    }
-
-    /// `+Q1`, `-QL5`: its value, `None` where `text` is no parameter.
-    pub(super) fn signed_parameter(&mut self, text: &str, span: Span) -> Option<Outcome<f64>> {
-        let (negative, name) = match text.as_bytes().first()? {
-            b'-' => (true, &text[1..]),
-            b'+' => (false, &text[1..]),
-            _ => (false, text),
-        };
-        let rest = name.strip_prefix('Q')?;
-        let (kind, digits) = match rest.chars().next()? {
-            'L' => (QKind::Ql, &rest[1..]),
-            'R' => (QKind::Qr, &rest[1..]),
-            _ => (QKind::Q, rest),
-        };
-        let q = QRef { kind, number: digits.parse().ok()? };
-        Some(self.parameter(q, span).map(|value| if negative { -value } else { value }))
     }
 
     /// Cycle 19. Its angles are space angles, or those of rotary axes: what it is on this machine is configured.
@@ -298,26 +264,22 @@ impl Run<'_> {
         if tilted {
             let angles = [angle(Axis::A), angle(Axis::B), turn];
             let [a, b, c] = angles;
-            self.core.say_here(if self.core.job.settings.control.klartext_choices.cycle_19_axes {
-                codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c)
-            } else {
-                let normal = plane_normal::shown(&plane_normal::spatial(angles));
-                codes::K9004::cycle_19_tilts_working_plane_by_b_to(&a, &b, &c, &normal)
-            });
-            return Err(Reported);
+            return self.core.refuse(
+                Where::Block,
+                if self.core.job.settings.control.klartext_choices.cycle_19_axes {
+                    codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c)
+                } else {
+                    let normal = plane_normal::shown(&plane_normal::spatial(angles));
+                    codes::K9004::cycle_19_tilts_working_plane_by_b_to(&a, &b, &c, &normal)
+                },
+            );
         }
         if turn != 0.0 {
             if self.core.job.settings.control.klartext_choices.cycle_19_axes {
-                self.core.say_here(codes::K9004::cycle_19_sets_rotary_table_to_angle());
-                return Err(Reported);
+                return self.core.refuse(Where::Block, codes::K9004::cycle_19_sets_rotary_table_to_angle());
             }
-            self.core.job.diags.push_once(
-                codes::K8020::c_of_cycle_19_is_read(&turn).answer(Answer::key("control", "cycle_19")).at(self
-                    .core
-                    .here
-                    .origin
-                    .loc),
-            );
+            let fault = codes::K8020::c_of_cycle_19_is_read(&turn).answer(Answer::key("control", "cycle_19"));
+            self.core.note(Where::Block, fault);
         }
         // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.
         let moves = turn != self.st.frames.transform().turn.0;
@@ -335,33 +297,34 @@ impl Run<'_> {
         let angle = if Deg(angle).normal().0 == 0.0 { 0.0 } else { angle };
         let before = self.st.frames.transform().turn.0;
         if moves || angle != 0.0 {
-            if !self.st.stands_upright() {
-                return self
-                    .refuse_motion(self.core.block_span(), codes::K9004::moves_rotary_axes_turned_by_program(&name));
+            if !self.st.rotary.stands_upright(&self.st.position, &self.st.ctx.frame) {
+                let fault = codes::K9004::moves_rotary_axes_turned_by_program(&name);
+                let span = self.core.block_span();
+                return self.st.refuse_motion(&mut self.core, span, fault);
             }
             if angle == 0.0 && before == 0.0 {
-                self.core
-                    .job
-                    .diags
-                    .push_once(codes::K2512::rotary_axes_are_taken_to_stand().at(self.core.here.origin.loc));
+                self.core.note(Where::Block, codes::K2512::rotary_axes_are_taken_to_stand());
             }
         }
         if angle != 0.0 && self.st.axis() != Axis::Z {
             let fault = codes::K9004::turns_about_z(&name, &self.st.axis().letter());
-            return self.refuse_motion(self.core.block_span(), fault);
+            let span = self.core.block_span();
+            return self.st.refuse_motion(&mut self.core, span, fault);
         }
         let here = self.core.here.origin.loc;
         for number in 120..=122 {
             // Which axis takes the turn, or none, is known at the machine.
             let q = QRef { kind: QKind::Q, number };
             let slot = if angle == 0.0 { Slot::Number(0.0) } else { Slot::AtMachine(here) };
-            self.set_control_parameter(q, slot);
+            self.vars.put(&mut self.core, q, slot);
         }
         if angle == before {
             return Ok(());
         }
-        self.may_turn_transformation()?;
-        self.refuse_compensated("the working plane turns");
+        if let Err(fault) = self.st.frames.may_turn() {
+            return self.st.refuse_motion(&mut self.core, Where::Block, fault);
+        }
+        self.st.refuse_compensated(&mut self.core, "the working plane turns");
         if self.st.compensation.is_on() {
             self.core.report(codes::P2041::turn_of_plane_ends_radius_compensation().at(here));
             self.st.end_compensation();
@@ -387,52 +350,16 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// A turn under a shift of the turned plane, a mirror or an uneven scale would need another order of them.
-    fn may_turn_transformation(&mut self) -> Outcome {
-        if self.st.frames.transform().shifted_in_turn && self.st.frames.transform().is_shifted_in_plane() {
-            self.core.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
-            self.lose_all();
-            return Err(Reported);
-        }
-        if self.st.frames.transform().turns_with_the_plane() {
-            self.core.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
-            self.lose_all();
-            return Err(Reported);
-        }
-        Ok(())
-    }
-
-    /// While the working plane is turned, the turn is in the coordinates: a rotary axis that moves would turn twice.
-    pub(super) fn no_rotary_move_under_turn(&mut self, axes: AxisSet, span: Span) -> Outcome {
-        let turned = self.st.frames.transform();
-        if turned.turn.0 == 0.0 && !turned.is_turned_as_a_whole() {
-            return Ok(());
-        }
-        let Some(axis) = axes.iter().find(|axis| axis.is_rotary()) else { return Ok(()) };
-        self.core.refuse(span, codes::K9004::moves_while_coordinates_are_turned_about_z(&axis.letter()))
-    }
-
     /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
     pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
-        if on && !self.st.stands_upright() {
+        if on && !self.st.rotary.stands_upright(&self.st.position, &self.st.ctx.frame) {
             return self.core.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
         }
         if on {
-            self.refuse_compensated("M128 begins");
+            self.st.refuse_compensated(&mut self.core, "M128 begins");
         }
         self.st.rotary.follows_tip = on;
         Ok(())
-    }
-
-    /// Under M128 a rotary axis that turns takes the other axes along.
-    pub(super) fn check_tip(&mut self, w: &Words, axis: Axis, target: Option<f64>) -> Outcome {
-        if !self.st.rotary.follows_tip || (target.is_some() && target == self.st.position.get(axis)) {
-            return Ok(());
-        }
-        if self.st.position.is_lost(axis) {
-            return Err(Reported);
-        }
-        self.core.refuse(w.axes_span, codes::K9008::under_m128_tool_tip_stays_while_turns(&axis.letter()))
     }
 }
 
@@ -472,7 +399,7 @@ mod tests {
 
     #[test]
     fn turns_about_the_tool_axis() {
-        let effect = |code: &str| Plane::read(code, &mut |_| None).effect();
+        let effect = |code: &str| Plane::read(code, &mut signed_number).effect();
         assert_eq!(effect("PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX"), Effect::Turned(30.0));
         assert_eq!(effect("PLANE SPATIAL SPA+360 SPB-360 SPC+30 STAY"), Effect::Turned(30.0));
         assert_eq!(effect("PLANE SPATIAL SPA-180 SPB+180 SPC+30 STAY"), Effect::Turned(210.0));

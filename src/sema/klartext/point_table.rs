@@ -8,46 +8,30 @@ use crate::geo::Point2;
 use crate::machine::Axis;
 use crate::machine::table::TableError;
 use crate::machine::table::columns::{Columns, Row, signed, unit_of};
-use crate::parser::klartext::ast::Block;
-use crate::sema::run::{Wanted, open_program};
+use crate::sema::run::{Wanted, Where, open_program};
 use crate::text::decode::readable_lines;
-use crate::text::{FileId, Loc, Sources, Span, Within};
+use crate::text::{FileId, Loc, Sources, Within};
 
 use super::pattern_def::{Place, Places};
-use super::{Outcome, Reported, Run};
+use super::reading::Reading;
+use super::{Outcome, Reported};
 
 /// Largest table, bytes.
 const LARGEST: u64 = 16 << 20;
 
-impl Run<'_> {
-    /// SEL PATTERN: the places come from a table, which is read at once.
-    pub(super) fn select_pattern(&mut self, block: &Block, text: &[u8], name_from: u32) -> Outcome {
-        self.places = None;
-        self.places_lost = true;
-        let written = Span { start: name_from, end: block.span.end }.of(text);
-        let name = self.program_name(written)?;
-        let here = self.core.here.origin;
-        let wanted = Wanted { name: &name, extensions: &["PNT", "pnt"], within: Within::Caller };
-        let file = open_program(&self.core.job, &wanted, here.loc, here.call).ok_or(Reported)?;
-        let wrong = |run: &Self, line: usize, what: String| {
-            run.core.report(codes::K2945::line_of_point_table(&line, &name, &what).at(here.loc));
-            Err(Reported)
-        };
-        let text = match whole_file(self.core.job.sources, file) {
-            Ok(text) => text,
-            Err(what) => return wrong(self, 1, what.to_owned()),
-        };
-        let (first, second, third) = self.st.plane().axes();
-        let letters = [first, second, third].map(|axis| Axis::ALL[axis].letter());
-        match read(&text, letters, here.loc) {
-            Ok(places) => {
-                self.places = Some(places);
-                self.places_lost = false;
-                Ok(())
-            }
-            Err(TableError { line, message }) => wrong(self, line, message),
-        }
-    }
+/// SEL PATTERN: the places come from a table, which is read at once. `written` is its name.
+pub(super) fn select(reading: Reading<'_, '_>, written: &[u8]) -> Outcome<Places> {
+    let core = reading.core;
+    let name = reading.program_name(written)?;
+    let here = core.here.origin;
+    let wanted = Wanted { name: &name, extensions: &["PNT", "pnt"], within: Within::Caller };
+    let file = open_program(&core.job, &wanted, here.loc, here.call).ok_or(Reported)?;
+    let (first, second, third) = reading.st.plane().axes();
+    let letters = [first, second, third].map(|axis| Axis::ALL[axis].letter());
+    let text = whole_file(core.job.sources, file).map_err(|what| TableError { line: 1, message: what.to_owned() });
+    text.and_then(|text| read(&text, letters, here.loc)).or_else(|TableError { line, message }| {
+        core.refuse(Where::Block, codes::K2945::line_of_point_table(&line, &name, &message))
+    })
 }
 
 /// The text of a table that a program names.

@@ -6,14 +6,15 @@
 use crate::diag::{Answer, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
-use crate::parser::klartext::ast::{Block, Stmt};
+use crate::parser::klartext::ast::{Block, Refused, Stmt};
 use crate::sema::common::hidden::By;
+use crate::text::Span;
 use crate::text::decode::readable;
-use crate::text::{Loc, Span};
 
+use super::block_text::block_name;
 use super::cycles::find;
-use super::flow::innermost_locals;
-use super::vars::{Slot, exists};
+use super::reading::Reading;
+use super::vars::{Slot, exists, named};
 use super::{Outcome, Run};
 
 /// Parameters that a block of results fills from the one it names.
@@ -48,9 +49,7 @@ impl Probe {
             // What stands behind the sign is read, not written.
             let line = line.split('=').next().unwrap_or_default();
             for word in line.split_whitespace() {
-                if let Some(q) = parameter(word) {
-                    probe.parameters.push(q);
-                }
+                probe.parameters.extend(named(word).filter(|q| !q.is_text() && exists(*q)));
             }
         }
         probe
@@ -59,6 +58,12 @@ impl Probe {
     /// What stands behind `Q305=`.
     pub(super) fn text_of(&self, parameter: u32) -> Option<&str> {
         self.given.iter().rev().find(|(q, _)| *q == parameter).map(|(_, text)| text.as_str())
+    }
+
+    /// A value that the cycle takes.
+    pub(super) fn value(&self, reading: Reading<'_, '_>, parameter: u32, span: Span) -> Outcome<Option<f64>> {
+        let Some(text) = self.text_of(parameter) else { return Ok(None) };
+        reading.written(text, span).transpose()
     }
 
     /// Measuring in a direction fills a run of parameters.
@@ -94,91 +99,31 @@ fn assignments(line: &str) -> impl Iterator<Item = (u32, String)> {
     })
 }
 
-/// `Q5`, `QL5`, `QR5`.
-fn parameter(word: &str) -> Option<QRef> {
-    let rest = word.strip_prefix('Q')?;
-    let (kind, digits) = match rest.chars().next()? {
-        'L' => (QKind::Ql, &rest[1..]),
-        'R' => (QKind::Qr, &rest[1..]),
-        _ => (QKind::Q, rest),
-    };
-    Some(QRef { kind, number: digits.parse().ok()? }).filter(|q| exists(*q))
+/// A definition that was skipped: the lines of parameters behind it, which belong to it, go with it.
+#[derive(Debug, Default)]
+pub(super) struct Skipped {
+    /// Number of its cycle, while lines of its parameters may follow.
+    number: Option<u32>,
 }
 
-impl Run<'_> {
-    /// TCH PROBE: refused, or left out with everything it touches unknown.
-    pub(super) fn probe(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let (name, span) = self.block_name(block, text, 2);
-        let probe = Probe::read(block.span.of(text));
-        if probe.sets_rotation() {
-            return self.set_basic_rotation(&probe, span);
-        }
-        if !self.core.job.settings.control.klartext_choices.probing_left_out {
-            let fault = codes::K9005::touch_probe_cycles_run_only_at_machine();
-            return self.refuse_motion(span, fault.answer(Answer::key("control", "probing")));
-        }
-        let setting = self.setting_of(&probe, span)?;
-        let here = self.core.here.origin.loc;
-        let run = if probe.fills_a_run() { RESULTS } else { 1 };
-        let named = probe.parameters.iter().flat_map(|q| (q.number..q.number + run).map(|n| QRef { number: n, ..*q }));
-        let own = (115..200).map(|number| QRef { kind: QKind::Q, number });
-        let Some(locals) = innermost_locals(&mut self.core.levels) else { return Ok(()) };
-        for q in named.chain(own).filter(|q| exists(*q)) {
-            self.vars.set(locals, q, Slot::AtMachine(here));
-        }
-        if setting.may_turn(probe.number) {
-            self.st.frames.may_be_turned(here);
-        }
-        self.tell_of_setting(&probe, &setting, span)?;
-        self.forget_positions(probe.turns(), here);
-        if probe.measures_tools() {
-            self.st.tool.measure();
-        }
-        if probe.goes_on {
-            return Ok(());
-        }
-        let what = if probe.measures_tools() { "the tool data" } else { "datum, rotation and results" };
-        self.core.report(codes::K2851::is_left_out(&name, &probe.number, &what).at(self.core.loc(span)));
-        Ok(())
+impl Skipped {
+    #[inline]
+    pub fn is_open(&self) -> bool {
+        self.number.is_some()
     }
 
-    /// A value that a cycle takes.
-    pub(super) fn probe_value(&mut self, probe: &Probe, parameter: u32, span: Span) -> Outcome<Option<f64>> {
-        let Some(text) = probe.text_of(parameter) else { return Ok(None) };
-        if let Some(number) = super::plane::value(text) {
-            return Ok(Some(number));
-        }
-        self.signed_parameter(text, span).transpose()
-    }
-
-    /// The probe moved, and the datum may be another: the next block of each axis has to be absolute.
-    fn forget_positions(&mut self, turns: bool, here: Loc) {
-        let rotary = AxisSet::of(Axis::A).union(AxisSet::of(Axis::B)).union(AxisSet::of(Axis::C));
-        self.st.position.clear();
-        self.st.position.hide(AxisSet::MAIN, By::Probe, here);
-        self.st.polar.forget_last();
-        self.st.contour = None;
-        if turns {
-            self.st.rotary.turned_by_machine(rotary);
-        }
-        self.lost();
-    }
-
-    /// A block was skipped: the lines of parameters behind it, which belong to it, go with it.
-    pub(super) fn skip(&mut self, block: &Block, text: &[u8]) {
-        self.skipped = match block.stmt {
+    /// The block in hand is skipped.
+    pub fn skip(&mut self, block: &Block, text: &[u8]) {
+        self.number = match block.stmt {
             Stmt::Cycle { number, part: None } => Some(number),
-            Stmt::Refused(crate::parser::klartext::ast::Refused::TouchProbe, _) => {
-                Some(Probe::read(block.span.of(text)).number)
-            }
+            Stmt::Refused(Refused::TouchProbe, _) => Some(Probe::read(block.span.of(text)).number),
             _ => None,
         };
     }
 
-    /// Is the block a line of parameters of a definition that was skipped?
-    #[inline]
-    pub(super) fn belongs_to_skipped(&mut self, block: &Block) -> bool {
-        let Some(number) = self.skipped else { return false };
+    /// Is the block a line of parameters of it?
+    pub fn takes(&mut self, block: &Block) -> bool {
+        let Some(number) = self.number else { return false };
         let belongs = match block.stmt {
             Stmt::Assign(q) => block.number.is_none() && find(number).takes(number, q),
             // Blank lines and comments may stand between.
@@ -186,9 +131,53 @@ impl Run<'_> {
             _ => false,
         };
         if !belongs {
-            self.skipped = None;
+            self.number = None;
         }
         belongs
+    }
+}
+
+impl Run<'_> {
+    /// TCH PROBE: refused, or left out with everything it touches unknown.
+    pub(super) fn probe(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let (name, span) = block_name(block, text, 2);
+        let probe = Probe::read(block.span.of(text));
+        if probe.sets_rotation() {
+            return self.set_basic_rotation(&probe, span);
+        }
+        if !self.core.job.settings.control.klartext_choices.probing_left_out {
+            let fault = codes::K9005::touch_probe_cycles_run_only_at_machine();
+            return self.st.refuse_motion(&mut self.core, span, fault.answer(Answer::key("control", "probing")));
+        }
+        let setting = probe.setting(self.reading(), span)?;
+        let here = self.core.here.origin.loc;
+        let run = if probe.fills_a_run() { RESULTS } else { 1 };
+        let named = probe.parameters.iter().flat_map(|q| (q.number..q.number + run).map(|n| QRef { number: n, ..*q }));
+        let own = (115..200).map(|number| QRef { kind: QKind::Q, number });
+        for q in named.chain(own).filter(|q| exists(*q)) {
+            self.vars.put(&mut self.core, q, Slot::AtMachine(here));
+        }
+        if setting.may_turn(probe.number) {
+            self.st.frames.may_be_turned(here);
+        }
+        self.tell_of_setting(&probe, &setting, span)?;
+        // The probe moved, and the datum may be another: the next block of each axis has to be absolute.
+        self.st.position.clear();
+        self.st.position.hide(AxisSet::MAIN, By::Probe, here);
+        self.st.polar.forget_last();
+        self.st.contour.now = None;
+        if probe.turns() {
+            self.st.rotary.turned_by_machine([Axis::A, Axis::B, Axis::C].into_iter().collect());
+        }
+        self.st.lost(&mut self.core);
+        if probe.measures_tools() {
+            self.st.tool.measure();
+        }
+        if !probe.goes_on {
+            let what = if probe.measures_tools() { "the tool data" } else { "datum, rotation and results" };
+            self.core.say(span, codes::K2851::is_left_out(&name, &probe.number, &what));
+        }
+        Ok(())
     }
 }
 

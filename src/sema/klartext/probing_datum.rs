@@ -13,6 +13,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
 use super::probing::Probe;
+use super::reading::Reading;
 use super::words::MWord;
 use super::{Outcome, Reported, Run};
 
@@ -61,68 +62,66 @@ impl Probe {
     pub(super) fn sets_rotation(&self) -> bool {
         self.number == 404
     }
-}
 
-impl Run<'_> {
     /// What a cycle sets that is left out.
-    pub(super) fn setting_of(&mut self, probe: &Probe, span: Span) -> Outcome<Setting> {
-        let plane = AxisSet::MAIN.without(AxisSet::of(self.st.axis()));
-        Ok(match probe.number {
-            408..=419 if self.waits_in_a_row(probe, span)? => Setting::Nothing,
-            408 | 409 => self.one_axis(probe, [321, 322, 0], 405, span)?,
-            410..=413 => self.feature(probe, Feature { at: [321, 322], reads: [331, 332] }, span)?,
-            416 => self.feature(probe, Feature { at: [273, 274], reads: [331, 332] }, span)?,
+    pub(super) fn setting(&self, reading: Reading<'_, '_>, span: Span) -> Outcome<Setting> {
+        let plane = AxisSet::MAIN.without(AxisSet::of(reading.st.axis()));
+        Ok(match self.number {
+            408..=419 if self.waits_in_a_row(reading, span)? => Setting::Nothing,
+            408 | 409 => self.one_axis(reading, [321, 322, 0], 405, span)?,
+            410..=413 => self.feature(reading, Feature { at: [321, 322], reads: [331, 332] }, span)?,
+            416 => self.feature(reading, Feature { at: [273, 274], reads: [331, 332] }, span)?,
             417 => {
-                let axis = self.st.axis();
-                self.datum(probe, &[(axis, 294, 333)], span)?
+                let axis = reading.st.axis();
+                self.datum(reading, &[(axis, 294, 333)], span)?
             }
-            419 => self.one_axis(probe, [263, 264, 261], 333, span)?,
+            419 => self.one_axis(reading, [263, 264, 261], 333, span)?,
             414 | 415 | 418 => Setting::Datum { axes: plane, reads: Vec::new() },
-            400..=402 if self.waits_in_a_row(probe, span)? => Setting::Nothing,
+            400..=402 if self.waits_in_a_row(reading, span)? => Setting::Nothing,
             400..=403 | 405 => Setting::Rotation,
-            1400..=1499 => self.correction(probe, plane, span)?,
+            1400..=1499 => self.correction(reading, plane, span)?,
             0..=4 | 9 | 30..=33 | 420..=499 | 600 | 601 => Setting::Nothing,
             _ => Setting::Unknown,
         })
     }
 
     /// Does the datum wait in a row of the preset table for a cycle 247, and is another row in force?
-    fn waits_in_a_row(&mut self, probe: &Probe, span: Span) -> Outcome<bool> {
-        let row = self.probe_value(probe, ROW, span)?.unwrap_or(0.0);
-        let presets = self.probe_value(probe, TABLE, span)? == Some(1.0);
+    fn waits_in_a_row(&self, reading: Reading<'_, '_>, span: Span) -> Outcome<bool> {
+        let row = self.value(reading, ROW, span)?.unwrap_or(0.0);
+        let presets = self.value(reading, TABLE, span)? == Some(1.0);
         // The row that is in force may take it at once.
-        let other = self.st.frames.preset_row().is_some_and(|now| f64::from(now) != row);
+        let other = reading.st.frames.preset_row().is_some_and(|now| f64::from(now) != row);
         Ok(row > 0.0 && presets && other)
     }
 
     /// Q272 says which axis.
-    fn one_axis(&mut self, probe: &Probe, at: [u32; 3], reads: u32, span: Span) -> Outcome<Setting> {
-        let number = self.probe_value(probe, ONE_AXIS, span)?;
+    fn one_axis(&self, reading: Reading<'_, '_>, at: [u32; 3], reads: u32, span: Span) -> Outcome<Setting> {
+        let number = self.value(reading, ONE_AXIS, span)?;
         match (1..=3u32).find(|n| number == Some(f64::from(*n))) {
             Some(n) => {
                 let i = n as usize - 1;
-                self.datum(probe, &[(Axis::ALL[i], at[i], reads)], span)
+                self.datum(reading, &[(Axis::ALL[i], at[i], reads)], span)
             }
             None => Ok(Setting::Datum { axes: AxisSet::MAIN, reads: Vec::new() }),
         }
     }
 
-    fn feature(&mut self, probe: &Probe, feature: Feature, span: Span) -> Outcome<Setting> {
-        let (first, second, third) = self.st.plane().axes();
+    fn feature(&self, reading: Reading<'_, '_>, feature: Feature, span: Span) -> Outcome<Setting> {
+        let (first, second, third) = reading.st.plane().axes();
         let [first, second, third] = [first, second, third].map(|i| Axis::ALL[i]);
         let mut axes = vec![(first, feature.at[0], feature.reads[0]), (second, feature.at[1], feature.reads[1])];
-        if self.probe_value(probe, TOOL_AXIS_TOO, span)? == Some(1.0) {
+        if self.value(reading, TOOL_AXIS_TOO, span)? == Some(1.0) {
             axes.push((third, 384, 333));
         }
-        self.datum(probe, &axes, span)
+        self.datum(reading, &axes, span)
     }
 
     /// The datum of axes by the parameters of their places and of what they read then.
-    fn datum(&mut self, probe: &Probe, list: &[(Axis, u32, u32)], span: Span) -> Outcome<Setting> {
-        let mm = self.core.level().frame.unit.mm();
+    fn datum(&self, reading: Reading<'_, '_>, list: &[(Axis, u32, u32)], span: Span) -> Outcome<Setting> {
+        let mm = reading.core.mm();
         let mut reads = Vec::new();
         for &(axis, at, then) in list {
-            if let (Some(at), Some(then)) = (self.probe_value(probe, at, span)?, self.probe_value(probe, then, span)?) {
+            if let (Some(at), Some(then)) = (self.value(reading, at, span)?, self.value(reading, then, span)?) {
                 reads.push((axis, at * mm, then * mm));
             }
         }
@@ -136,21 +135,23 @@ impl Run<'_> {
     }
 
     /// 14xx correct the preset in force, and a rotation, where they are told to.
-    fn correction(&mut self, probe: &Probe, plane: AxisSet, span: Span) -> Outcome<Setting> {
+    fn correction(&self, reading: Reading<'_, '_>, plane: AxisSet, span: Span) -> Outcome<Setting> {
         let [datum, rotation] = CORRECTS;
-        if self.probe_value(probe, rotation, span)?.is_some_and(|value| value != 0.0) {
+        if self.value(reading, rotation, span)?.is_some_and(|value| value != 0.0) {
             return Ok(Setting::Rotation);
         }
-        let shifts = self.probe_value(probe, datum, span)?.is_some_and(|value| value != 0.0);
+        let shifts = self.value(reading, datum, span)?.is_some_and(|value| value != 0.0);
         Ok(if shifts { Setting::Datum { axes: plane, reads: Vec::new() } } else { Setting::Nothing })
     }
+}
 
+impl Run<'_> {
     /// Says what becomes of a datum that is set while its cycle is left out.
     pub(super) fn tell_of_setting(&mut self, probe: &Probe, setting: &Setting, span: Span) -> Outcome {
         let number = probe.number;
         // 400 to 405 and 420 to 431 may end the one in force.
         if self.st.frames.transform().is_turned_as_a_whole() && matches!(number, 400..=405 | 420..=431) {
-            self.lose_all();
+            self.st.lose_all(&mut self.core);
             return self.core.refuse(span, codes::K9005::ends_basic_rotation_or_goes_on(&number));
         }
         let (axes, asking) = match setting {
@@ -159,23 +160,24 @@ impl Run<'_> {
                 (*axes, codes::K9005::sets_datum_by_what_it_measures(&number))
             }
             Setting::Datum { axes, reads } => {
-                let (lay, read) = (self.in_words(reads, |one| one.1), self.in_words(reads, |one| one.2));
+                let (lay, read) =
+                    (in_words(self.core.mm(), reads, |one| one.1), in_words(self.core.mm(), reads, |one| one.2));
                 (*axes, codes::K9005::sets_datum_at_known_place(&number, &lay, &read))
             }
             Setting::Rotation => (AxisSet::MAIN, codes::K9005::turns_part_or_its_coordinates(&number)),
             Setting::Unknown => (AxisSet::MAIN, codes::K9005::is_cycle_of_machines_builder(&number)),
         };
         let refused = asking.answer(Answer::key("control", "probing_datum").one_of(&["\"set\""]));
-        let worked = self.worked_in(axes);
+        let worked = letters(axes.common(self.st.tool.worked));
         match self.core.job.settings.control.klartext_choices.probing_datum {
             Some(true) if worked.is_empty() => Ok(()),
             // A check of a tool between two tools is no datum.
             Some(true) if !matches!(setting, Setting::Unknown) => {
-                self.lose_all();
+                self.st.lose_all(&mut self.core);
                 self.core.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&refused.message, &worked))
             }
             Some(false) => {
-                self.lose_all();
+                self.st.lose_all(&mut self.core);
                 self.core.refuse(span, refused)
             }
             None | Some(true) => {
@@ -186,39 +188,24 @@ impl Run<'_> {
         }
     }
 
-    /// Coordinates by axis, in the unit of the program.
-    fn in_words(&self, reads: &[(Axis, f64, f64)], pick: fn(&(Axis, f64, f64)) -> f64) -> String {
-        let mm = self.core.levels.last().map_or(1.0, |level| level.frame.unit.mm());
-        let shown = |value: f64| libm::round(value / mm * 1e4) / 1e4 + 0.0;
-        let list: Vec<String> = reads.iter().map(|one| format!("{}{}", one.0.letter(), shown(pick(one)))).collect();
-        list.join(" ")
-    }
-
-    /// Which of these axes other tools moved in front, in coordinates of the datum before.
-    fn worked_in(&self, axes: AxisSet) -> String {
-        let worked = AxisSet::MAIN.iter().filter(|axis| axes.contains(*axis) && self.st.tool.worked.contains(*axis));
-        let letters: Vec<String> = worked.map(|axis| axis.letter().to_string()).collect();
-        letters.join(" and ")
-    }
-
     /// TCH PROBE 404: the basic rotation is a parameter. Nothing is measured, and nothing moves.
     pub(super) fn set_basic_rotation(&mut self, probe: &Probe, span: Span) -> Outcome {
-        let Some(angle) = self.probe_value(probe, ANGLE, span)? else {
+        let Some(angle) = probe.value(self.reading(), ANGLE, span)? else {
             return self.core.refuse(span, codes::K2402::tch_probe_404_lacks_its_angle_q307());
         };
-        if self.probe_value(probe, ROW, span)?.unwrap_or(0.0) != 0.0 {
-            self.lose_all();
+        if probe.value(self.reading(), ROW, span)?.unwrap_or(0.0) != 0.0 {
+            self.st.lose_all(&mut self.core);
             return self.core.refuse(span, codes::K9005::writes_basic_rotation_into_preset_table());
         }
         if self.st.axis() != Axis::Z {
-            self.lose_all();
+            self.st.lose_all(&mut self.core);
             return self.core.refuse(span, codes::K9005::turns_coordinates_about_z(&self.st.axis().letter()));
         }
-        self.refuse_compensated("the basic rotation changes");
+        self.st.refuse_compensated(&mut self.core, "the basic rotation changes");
         let mut next = self.st.frames.transform().clone();
         next.basic = Some(Deg(angle));
         if angle != 0.0 {
-            self.core.report(codes::K2853::tch_probe_404_turns_coordinates_by_about(&angle).at(self.core.loc(span)));
+            self.core.say(span, codes::K2853::tch_probe_404_turns_coordinates_by_about(&angle));
         }
         self.set_transformation(next)
     }
@@ -226,7 +213,7 @@ impl Run<'_> {
     /// M143: ends the basic rotation, as far as it is known.
     pub(super) fn end_basic_rotation(&mut self, m: &MWord) -> Outcome {
         if let Some(probed) = self.st.frames.probed() {
-            self.lose_all();
+            self.st.lose_all(&mut self.core);
             let found =
                 codes::K9008::m143_ends_basic_rotation().at(self.core.loc(m.span)).also(probed, Label::CycleLeftOut);
             self.core.report(found);
@@ -237,9 +224,21 @@ impl Run<'_> {
             Some(angle) if angle.0 != 0.0 => self.set_transformation(next),
             Some(_) => Ok(()),
             None => {
-                self.core.job.diags.push_once(codes::K2710::basic_rotation_of_preset().at(self.core.loc(m.span)));
+                self.core.note(m.span, codes::K2710::basic_rotation_of_preset());
                 Ok(())
             }
         }
     }
+}
+
+/// Coordinates by axis, in the unit of the program.
+fn in_words(mm: f64, reads: &[(Axis, f64, f64)], pick: fn(&(Axis, f64, f64)) -> f64) -> String {
+    let shown = |value: f64| libm::round(value / mm * 1e4) / 1e4 + 0.0;
+    let list: Vec<String> = reads.iter().map(|one| format!("{}{}", one.0.letter(), shown(pick(one)))).collect();
+    list.join(" ")
+}
+
+fn letters(axes: AxisSet) -> String {
+    let letters: Vec<String> = axes.iter().map(|axis| axis.letter().to_string()).collect();
+    letters.join(" and ")
 }

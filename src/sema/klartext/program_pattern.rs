@@ -4,11 +4,10 @@
 //! (docs/sources.md).
 
 use crate::diag::{Answer, Label, codes};
-use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::Axis;
 use crate::machine::options::klartext_cycles::PatternProgram;
-use crate::sema::run::step;
+use crate::sema::run::Where;
 
 use super::pattern_def::{Place, Places};
 use super::words::Words;
@@ -17,29 +16,23 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     pub(super) fn run_program_pattern(&mut self, w: &Words, places: &Places, name: &str) -> Outcome {
         let Some(reading) = self.core.job.settings.cycles.klartext.pattern_program else {
-            return self.core.refuse(
-                self.core.block_span(),
-                codes::P9010::cycl_call_pat_with_program_of_cycle_12(&name)
-                    .answer(Answer::key("cycles", "pattern_program")),
-            );
+            let fault = codes::P9010::cycl_call_pat_with_program_of_cycle_12(&name);
+            return self.core.refuse(Where::Block, fault.answer(Answer::key("cycles", "pattern_program")));
         };
         if places.iter().any(|place| place.surface != 0.0) {
-            self.core.report(
-                codes::P9010::cycl_call_pat_with_program(&name)
-                    .at(self.core.here.origin.loc)
-                    .also(places.loc, Label::Pattern),
-            );
+            let found = codes::P9010::cycl_call_pat_with_program(&name).at(self.core.here.origin.loc);
+            self.core.report(found.also(places.loc, Label::Pattern));
             return Err(Reported);
         }
         self.m_at_start(w, true)?;
         let (height, feed) = match reading {
             PatternProgram::Shift => {
-                self.set_feed(w)?;
+                self.st.set_feed(&self.core, w)?;
                 (None, None)
             }
             PatternProgram::Position => {
                 let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
-                (Some(self.position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?), feed)
+                (Some(self.view().position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?), feed)
             }
         };
         for place in places.iter() {
@@ -47,27 +40,14 @@ impl Run<'_> {
             match height {
                 None => self.run_shifted(name, place)?,
                 Some(height) => {
-                    self.go_to_place(place, height, Path::straight(feed));
+                    // As high as the tool stood in front of the pattern, or at the clearance of the place.
+                    self.rise_to(place.clearance.map_or(height, |clearance| clearance.max(height)));
+                    self.go_in_plane(place.at, Path::straight(feed));
                     self.run_program(name)?;
                 }
             }
         }
-        self.m_at_end(w)
-    }
-
-    /// In the plane, as high as the tool stood in front of the pattern, or at the clearance of the place.
-    fn go_to_place(&mut self, place: &Place, height: f64, path: Path) {
-        let axis = self.st.axis();
-        let free = place.clearance.map_or(height, |clearance| clearance.max(height));
-        if self.st.position.get(axis).is_none_or(|at| at < free) {
-            let mut up = Pos::UNKNOWN;
-            up.set(axis, free);
-            self.send(&up, Path::Rapid);
-        }
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.st.plane(), place.at);
-        self.st.polar.forget_last();
-        self.send(&end, path);
+        self.m_at_end(w.m())
     }
 
     /// The program in a system that is shifted to the place, which has to be the same behind it.
@@ -75,7 +55,7 @@ impl Run<'_> {
         let base = self.st.frames.transform().clone();
         let (first, second, _) = self.st.plane().axes();
         if !base.is_shift_only() || base.turn.0 != 0.0 || base.is_turned_as_a_whole() {
-            return self.core.refuse(self.core.block_span(), codes::P9010::cycl_call_pat_with_program_of_cycle(&name));
+            return self.core.refuse(Where::Block, codes::P9010::cycl_call_pat_with_program_of_cycle(&name));
         }
         let mut shifted = base.clone();
         for (axis, by) in [(first, place.at.x), (second, place.at.y)] {
@@ -84,9 +64,7 @@ impl Run<'_> {
         self.set_transformation(shifted.clone())?;
         self.run_program(name)?;
         if *self.st.frames.transform() != shifted {
-            return self
-                .core
-                .refuse(self.core.block_span(), codes::P9010::program_of_cycle_12_changes_coordinate_system(&name));
+            return self.core.refuse(Where::Block, codes::P9010::program_of_cycle_12_changes_coordinate_system(&name));
         }
         self.set_transformation(base)
     }
@@ -94,19 +72,8 @@ impl Run<'_> {
     fn run_program(&mut self, name: &str) -> Outcome {
         self.run_whole(name)?;
         if self.st.compensation.is_on() {
-            return self.core.refuse(self.core.block_span(), codes::K2407::program_of_cycle_12_ends_with_radius(&name));
+            return self.core.refuse(Where::Block, codes::K2407::program_of_cycle_12_ends_with_radius(&name));
         }
         Ok(())
-    }
-
-    /// The whole program, before the block in hand goes on.
-    pub(super) fn run_whole(&mut self, name: &str) -> Outcome {
-        let (here, below) = (self.core.here, self.core.levels.len());
-        self.call_program_named(name)?;
-        while self.core.levels.len() > below && !self.core.has_ended() {
-            step(self);
-        }
-        self.core.here = here;
-        if self.core.has_ended() || self.core.levels.len() != below { Err(Reported) } else { Ok(()) }
     }
 }

@@ -2,50 +2,54 @@
 
 use crate::diag::codes;
 use crate::parser::klartext::ast::{Block, Refused};
-
+use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::block_text::block_name;
+use super::point_table;
+use super::reading::Reading;
 use super::{Outcome, Run};
 
 impl Run<'_> {
     /// A statement that is known by name only.
     pub(super) fn refused(&mut self, what: Refused, block: &Block, text: &[u8]) -> Outcome {
-        let (name, span) = self.block_name(block, text, if matches!(what, Refused::Function) { 1 } else { 2 });
+        let (name, span) = block_name(block, text, if matches!(what, Refused::Function) { 1 } else { 2 });
         match what {
             Refused::Plane => self.plane_block(block, text),
             Refused::TouchProbe => self.probe(block, text),
-            Refused::Pattern => self.select_pattern(block, text, span.end),
+            Refused::Pattern => {
+                let written = Span { start: span.end, end: block.span.end }.of(text);
+                let places = point_table::select(self.reading(), written);
+                self.pattern.define(places)
+            }
             Refused::SelectTable if span.end < block.span.end => {
                 let written = Span { start: span.end, end: block.span.end }.of(text);
-                let name = self.program_name(written)?;
+                let name = self.reading().program_name(written)?;
                 self.datum_table.select(name, self.core.here.origin.loc);
-                self.left_out("SEL TABLE only selects the table that datum shifts take rows of, and");
+                self.core.left_out("SEL TABLE only selects the table that datum shifts take rows of, and");
                 Ok(())
             }
             Refused::SelectTable => self.core.refuse(span, codes::P1004::names_no_table(&name)),
             Refused::Contour => {
                 let by_parameter = name.get(..2).is_some_and(|head| head.eq_ignore_ascii_case("QC"));
-                let (name, span) = if by_parameter { self.block_name(block, text, 1) } else { (name, span) };
+                let (name, span) = if by_parameter { block_name(block, text, 1) } else { (name, span) };
                 self.core.refuse(span, codes::K9018::contours_that_are_put_together_are_not(&name))
             }
-            Refused::GlobalDef => self.global_def(block, text),
+            Refused::GlobalDef => {
+                let reading = Reading { core: &self.core, vars: &self.vars, st: &self.st };
+                self.globals.define(reading, block, text)
+            }
             Refused::Function if is_harmless(block.span.of(text)) => {
-                self.core.job.diags.push_once(
-                    codes::K2703::has_no_word_in_output(&self.block_name(block, text, 3).0).at(self
-                        .core
-                        .here
-                        .origin
-                        .loc),
-                );
+                self.core.note(Where::Block, codes::K2703::has_no_word_in_output(&block_name(block, text, 3).0));
                 Ok(())
             }
             Refused::Function => {
-                let (name, span) = self.block_name(block, text, words_of_name(&name));
+                let (name, span) = block_name(block, text, words_of_name(&name));
                 if let Some(name) = named_branch(&name) {
-                    self.lose_all();
+                    self.st.lose_all(&mut self.core);
                     return self.core.refuse(span, codes::P9011::is_not_supported(&name));
                 }
-                self.refuse_motion(span, codes::P9011::is_not_supported_3(&name))
+                self.st.refuse_motion(&mut self.core, span, codes::P9011::is_not_supported_3(&name))
             }
         }
     }

@@ -4,13 +4,13 @@
 
 use crate::diag::codes;
 use crate::geo::Deg;
-use crate::ir::Pos;
+use crate::ir::Frame;
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::position::Position;
 use crate::text::Span;
 
 use super::words::Words;
-use super::{Outcome, Run};
+use super::{Core, Outcome, Reported};
 
 /// Rotary axes.
 #[derive(Debug, Clone, Copy, Default)]
@@ -31,10 +31,6 @@ impl RotaryState {
         if axis.is_rotary() { self.offset[axis.index() - Axis::A.index()] } else { 0.0 }
     }
 
-    pub fn has_moved(&self, axis: Axis) -> bool {
-        self.moved.contains(axis)
-    }
-
     #[inline]
     pub fn moves(&mut self, axis: Axis) {
         self.moved.insert(axis);
@@ -52,9 +48,7 @@ impl RotaryState {
         self.moved = self.moved.union(axes);
         self.forget_turns(axes);
     }
-}
 
-impl RotaryState {
     /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move. False if none was beyond.
     pub fn reduce(&mut self, position: &Position, axes: AxisSet) -> bool {
         let mut reduced = false;
@@ -71,64 +65,61 @@ impl RotaryState {
         }
         reduced
     }
-}
 
-impl Run<'_> {
-    #[cold]
-    pub(super) fn rare_axes(&mut self, w: &Words, mut end: Pos, cuts: bool) -> Outcome<Pos> {
-        self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
-        for axis in end.known().without(AxisSet::MAIN).iter() {
-            if !axis.is_rotary() {
-                if let Some(what) = self.st.frames.transform().touches_parallel(axis) {
-                    return self.core.refuse(w.axes_span, codes::K2506::moves_while_is_active(&axis.letter(), &what));
-                }
-                continue;
-            }
-            if self.st.feed.at_surface && cuts {
-                return self.core.refuse(w.axes_span, codes::K2509::moves_at_feed_under_m116(&axis.letter()));
-            }
-            self.st.rotary.moves(axis);
-            if w.incremental.contains(axis) {
-                self.check_tip(w, axis, end.get(axis))?;
-                // Counted from a position that holds the whole turns already.
-                self.check_increment(w, axis)?;
-                continue;
-            }
-            let target = end.get(axis).unwrap_or(0.0);
-            let target = self.rotary_target(axis, target, w.axes_span);
-            self.check_tip(w, axis, Some(target))?;
-            end.set(axis, target);
-        }
-        Ok(end)
+    /// Does every rotary axis that the program moved stand at zero?
+    pub fn stands_upright(&self, position: &Position, frame: &Frame) -> bool {
+        let at = frame.apply(position.at());
+        [Axis::A, Axis::B, Axis::C]
+            .into_iter()
+            .filter(|axis| self.moved.contains(*axis))
+            .all(|axis| at.get(axis).is_some_and(|angle| (angle - self.turns_of(axis)) % 360.0 == 0.0))
     }
 
     /// M126 and an increment of more than half a turn contradict each other.
-    fn check_increment(&mut self, w: &Words, axis: Axis) -> Outcome {
+    pub fn check_increment(&self, core: &Core<'_>, w: &Words, axis: Axis) -> Outcome {
         let step = w.axes.get(axis).unwrap_or(0.0);
-        if !self.st.rotary.short_way || step.abs() <= 180.0 {
+        if !self.short_way || step.abs() <= 180.0 {
             return Ok(());
         }
-        self.core.refuse(w.axes_span, codes::K9008::under_m126_it_is_open_whether_i(&axis.letter(), &step))
+        core.refuse(w.axes_span, codes::K9008::under_m126_it_is_open_whether_i(&axis.letter(), &step))
     }
 
     /// Where a rotary axis goes in unbroken degrees, so that the output turns the same way.
-    pub(super) fn rotary_target(&mut self, axis: Axis, target: f64, span: Span) -> f64 {
-        let offset = &mut self.st.rotary.offset[axis.index() - Axis::A.index()];
-        let Some(from) = self.st.position.get(axis) else {
+    pub fn target(&mut self, core: &Core<'_>, position: &Position, axis: Axis, target: f64, span: Span) -> f64 {
+        let offset = &mut self.offset[axis.index() - Axis::A.index()];
+        let Some(from) = position.get(axis) else {
             *offset = 0.0;
             return target;
         };
-        if self.st.rotary.short_way {
+        if self.short_way {
             // `from` already holds the whole turns.
             let ahead = Deg(target - from).normal().0;
             if ahead == 180.0 {
-                let found = codes::K2510::goes_half_turn(&axis.letter()).at(self.core.loc(span));
-                self.core.report(found.help("program M127 if the sense of rotation matters"));
+                let fault = codes::K2510::goes_half_turn(&axis.letter());
+                core.say(span, fault.help("program M127 if the sense of rotation matters"));
             }
             let step = if ahead > 180.0 { ahead - 360.0 } else { ahead };
             *offset = from + step - target;
             return from + step;
         }
         target + *offset
+    }
+
+    /// Under M128 a rotary axis that turns takes the other axes along.
+    pub fn check_tip(
+        &self,
+        core: &Core<'_>,
+        position: &Position,
+        axis: Axis,
+        target: Option<f64>,
+        span: Span,
+    ) -> Outcome {
+        if !self.follows_tip || (target.is_some() && target == position.get(axis)) {
+            return Ok(());
+        }
+        if position.is_lost(axis) {
+            return Err(Reported);
+        }
+        core.refuse(span, codes::K9008::under_m128_tool_tip_stays_while_turns(&axis.letter()))
     }
 }

@@ -8,8 +8,11 @@ use crate::lexer::klartext::QRef;
 use crate::machine::{Axis, Generation, ToolKey, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
 
+use super::active_tool::ActiveTool;
 use super::meanings;
-use super::state::State;
+use super::place::View;
+use super::reading::Reading;
+use super::tool_table::Tools;
 use super::transformation::Transformation;
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
@@ -48,20 +51,19 @@ impl Request {
     }
 }
 
-impl State {
+impl ActiveTool {
     /// Active tool: radius, length, corner radius; IDX 1 without, 2 with table, 3 with all oversizes.
-    fn tool_size(&self, r: Request, mm: f64) -> Option<f64> {
-        let tool = self.tool.active()?;
+    fn size(&self, r: Request, mm: f64) -> Option<f64> {
         let (value, i) = match r.nr {
-            1 => (tool.radius?, 1),
-            2 => (tool.length?, 0),
-            _ => (tool.corner_radius?, 2),
+            1 => (self.radius?, 1),
+            2 => (self.length?, 0),
+            _ => (self.corner_radius?, 2),
         };
-        let table = tool.table_deltas[i];
+        let table = self.table_deltas[i];
         match r.idx.map(|n| n as u32) {
             Some(1) => Some(value / mm),
             Some(2) => Some((value + table) / mm),
-            Some(3) => Some((value + table + tool.call_deltas[i]) / mm),
+            Some(3) => Some((value + table + self.call_deltas[i]) / mm),
             _ => None,
         }
     }
@@ -86,85 +88,91 @@ fn transformed(t: &Transformation, r: Request, mm: f64) -> Option<f64> {
 
 impl Run<'_> {
     pub(super) fn system_read(&mut self, target: QRef, block: &Block, text: &[u8]) -> Outcome {
-        let value = self.request(block, text).and_then(|request| self.answer(request, block));
+        let answers = Answers { view: self.view(), tools: &self.tools, block };
+        let value = request(self.reading(), block, text).and_then(|request| answers.answer(request));
         let slot = match value {
             Ok(value) => Slot::Number(value),
             Err(Reported) => Slot::Lost,
         };
-        self.set(target, slot, block.span)?;
+        self.vars.assign(&mut self.core, target, slot, block.span)?;
         value.map(drop)
     }
+}
 
-    fn request(&mut self, block: &Block, text: &[u8]) -> Outcome<Request> {
-        let mut request = Request::default();
-        let mut words = block.words.iter();
-        while let Some(name) = words.next() {
-            let value = match (name.addr, words.next()) {
-                (Addr::Name, Some(value)) if value.addr == Addr::Value => value,
-                _ => return self.core.refuse(name.span, codes::P1001::sysread_takes_id()),
-            };
-            let whole = |n: f64| (n >= 0.0 && n.fract() == 0.0).then_some(n as u32);
-            let n = self.number(value.value, value.span)?;
-            match (name.span.of(text).to_ascii_uppercase().as_slice(), whole(n)) {
-                (b"ID", Some(n)) => request.id = n,
-                (b"NR", Some(n)) => request.nr = n,
-                (b"IDX", _) => request.idx = Some(n),
-                _ => {
-                    return self.core.refuse(value.span, codes::P1001::sysread_takes_whole_numbers_behind_id());
-                }
+fn request(reading: Reading<'_, '_>, block: &Block, text: &[u8]) -> Outcome<Request> {
+    let mut request = Request::default();
+    let mut words = block.words.iter();
+    while let Some(name) = words.next() {
+        let value = match (name.addr, words.next()) {
+            (Addr::Name, Some(value)) if value.addr == Addr::Value => value,
+            _ => return reading.core.refuse(name.span, codes::P1001::sysread_takes_id()),
+        };
+        let whole = |n: f64| (n >= 0.0 && n.fract() == 0.0).then_some(n as u32);
+        let n = reading.number(value.value, value.span)?;
+        match (name.span.of(text).to_ascii_uppercase().as_slice(), whole(n)) {
+            (b"ID", Some(n)) => request.id = n,
+            (b"NR", Some(n)) => request.nr = n,
+            (b"IDX", _) => request.idx = Some(n),
+            _ => {
+                return reading.core.refuse(value.span, codes::P1001::sysread_takes_whole_numbers_behind_id());
             }
         }
-        Ok(request)
     }
+    Ok(request)
+}
 
+/// What a block that asks is answered by.
+struct Answers<'r, 'a> {
+    view: View<'r, 'a>,
+    tools: &'r Tools,
+    block: &'r Block,
+}
+
+impl Answers<'_, '_> {
     /// Millimetres per unit of the lengths that the control gives.
-    fn unit_of_lengths(&mut self) -> f64 {
-        let control = &self.core.job.settings.control;
+    fn unit_of_lengths(&self) -> f64 {
+        let control = &self.view.core.job.settings.control;
         let in_mm = control.klartext_choices.system_in_mm.unwrap_or(control.klartext >= Generation::Tnc7);
-        if in_mm { 1.0 } else { self.core.level().frame.unit.mm() }
+        if in_mm { 1.0 } else { self.view.core.mm() }
     }
 
     /// No manual page of an older control says in which unit FN 18 reads a length in an INCH program.
-    fn unit_is_said(&mut self, r: Request, value: f64, block: &Block) -> Outcome {
-        let control = &self.core.job.settings.control;
+    fn unit_is_said(&self, r: Request, value: f64) -> Outcome {
+        let control = &self.view.core.job.settings.control;
         let said = control.klartext_choices.system_in_mm.is_some() || control.klartext >= Generation::Tnc7;
-        if said || value == 0.0 || self.core.level().frame.unit == Unit::Mm || !r.is_length() {
+        if said || value == 0.0 || self.view.core.unit() == Unit::Mm || !r.is_length() {
             return Ok(());
         }
-        self.core.refuse(
-            block.span,
-            codes::K2855::is_length_in_inch_program_controls_may(&r.name())
-                .answer(Answer::key("control", "system_unit")),
-        )
+        let fault = codes::K2855::is_length_in_inch_program_controls_may(&r.name());
+        self.view.core.refuse(self.block.span, fault.answer(Answer::key("control", "system_unit")))
     }
 
-    fn answer(&mut self, r: Request, block: &Block) -> Outcome<f64> {
+    fn answer(&self, r: Request) -> Outcome<f64> {
         let mm = self.unit_of_lengths();
         let axis = r.axis();
         let known = match (r.id, r.nr) {
             // State of the machine as the program set it.
-            (20, 1) => self.st.tool.active().and_then(|tool| tool.own).map(f64::from),
-            (20, 3) => self.st.tool.axis().map(|axis| match axis {
-                Axis::U => 6.0,
-                Axis::V => 7.0,
-                Axis::W => 8.0,
-                main => main.index() as f64,
-            }),
-            (20, 4) => self.st.spindle.speed(),
-            (50, 1..=6) => return self.table_value(r, block),
-            (200, 1..=3) => self.st.tool_size(r, mm),
-            (210 | 220, _) => transformed(self.st.frames.transform(), r, mm),
-            (240, 1) => axis.filter(|axis| !self.st.position.may_be_moved(*axis)).and_then(|axis| {
-                let value = self.machine_coordinate(axis)?;
+            (20, 1) => self.view.st.tool.active().and_then(|tool| tool.own).map(f64::from),
+            (20, 3) => self.view.st.tool.axis().map(|axis| axis.index() as f64),
+            (20, 4) => self.view.st.spindle.speed(),
+            (50, 1..=6) => return self.table_value(r),
+            (200, 1..=3) => self.view.st.tool.active().and_then(|tool| tool.size(r, mm)),
+            (210 | 220, _) => transformed(self.view.st.frames.transform(), r, mm),
+            (240, 1) => axis.filter(|axis| !self.view.st.position.may_be_moved(*axis)).and_then(|axis| {
+                let value = self.view.machine_coordinate(axis)?;
                 Some(if axis.is_rotary() { value } else { value / mm })
             }),
             (270, 1) => match axis {
-                Some(axis) if !self.st.position.may_be_moved(axis) => match self.st.position.get(axis) {
+                Some(axis) if !self.view.st.position.may_be_moved(axis) => match self.view.st.position.get(axis) {
                     None if self.answered(r).is_some() => None,
                     _ => {
-                        let value = self.position_of(axis, block.span, "SYSREAD")?;
-                        self.unit_is_said(r, value, block)?;
-                        return Ok(if axis.is_rotary() { self.st.shown(axis, value) } else { value / mm });
+                        let value = self.view.position_of(axis, self.block.span, "SYSREAD")?;
+                        self.unit_is_said(r, value)?;
+                        return Ok(if axis.is_rotary() {
+                            value - self.view.st.rotary.turns_of(axis)
+                        } else {
+                            value / mm
+                        });
                     }
                 },
                 _ => None,
@@ -173,59 +181,55 @@ impl Run<'_> {
         };
         match known {
             Some(value) => {
-                self.unit_is_said(r, value, block)?;
+                self.unit_is_said(r, value)?;
                 if matches!((r.id, r.nr), (20, 2..) | (200, _)) {
-                    self.core.job.diags.push_once(
-                        codes::K8021::id_nr_is_answered_as_older_programs(&r.id, &r.nr).at(self.core.loc(block.span)),
-                    );
+                    let fault = codes::K8021::id_nr_is_answered_as_older_programs(&r.id, &r.nr);
+                    self.view.core.note(self.block.span, fault);
                 }
                 Ok(value)
             }
             None => match self.answered(r) {
                 Some(value) => Ok(value),
-                None => self.only_at_machine(r, axis, block),
+                None => self.only_at_machine(r, axis),
             },
         }
     }
 
-    fn only_at_machine(&self, r: Request, axis: Option<Axis>, block: &Block) -> Outcome<f64> {
+    fn only_at_machine(&self, r: Request, axis: Option<Axis>) -> Outcome<f64> {
         let meaning = meanings::of_system_data(r.id, r.nr, r.idx);
         let what = if meaning.is_empty() { String::new() } else { format!(", {meaning},") };
         let place = matches!((r.id, r.nr), (240 | 270, 1));
         let why = match axis {
-            Some(axis) if place && self.st.position.may_be_moved(axis) => {
+            Some(axis) if place && self.view.st.position.may_be_moved(axis) => {
                 ": the axis may have been moved by hand since the program stopped"
             }
             _ => "",
         };
-        self.core.refuse(
-            block.span,
-            codes::K9016::system_data_id_nr_is_known(&r.id, &r.nr, &what, &why, &r.name())
-                .answer(Answer::variable(r.name(), meaning)),
-        )
+        let fault = codes::K9016::system_data_id_nr_is_known(&r.id, &r.nr, &what, &why, &r.name());
+        self.view.core.refuse(self.block.span, fault.answer(Answer::variable(r.name(), meaning)))
     }
 
     /// What `[variables]` says, in the unit of the program.
     fn answered(&self, r: Request) -> Option<f64> {
         let bare = |name: &str| name.replace(' ', "");
         let name = bare(&r.name());
-        self.core.job.settings.variables.iter().find(|(key, _)| bare(key) == name).map(|(_, value)| *value)
+        self.view.core.job.settings.variables.iter().find(|(key, _)| bare(key) == name).map(|(_, value)| *value)
     }
 
     /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool.
-    fn table_value(&mut self, r: Request, block: &Block) -> Outcome<f64> {
+    fn table_value(&self, r: Request) -> Outcome<f64> {
         let mm = self.unit_of_lengths();
         let Some(n) = r.idx.filter(|n| *n >= 1.0) else {
-            return self.core.refuse(block.span, codes::K9016::id_50_reads_tool_table());
+            return self.view.core.refuse(self.block.span, codes::K9016::id_50_reads_tool_table());
         };
         let key = ToolKey::Number(n.trunc() as u32, (n.fract() * 10.0).round() as u8);
-        let mut data = self.core.job.settings.tools.table.get(&key).cloned();
-        if let Some(&(length, radius)) = self.defined.get(&(n as u32)) {
+        let mut data = self.view.core.job.settings.tools.table.get(&key).cloned();
+        if let Some((length, radius)) = self.tools.defined(n as u32) {
             let tool = data.get_or_insert_with(Default::default);
             tool.length = length.or(tool.length);
             tool.radius = radius.or(tool.radius);
         }
-        if self.st.tool.is_measured() {
+        if self.view.st.tool.is_measured() {
             data = None;
         }
         let value = data.as_ref().and_then(|tool| match r.nr {
@@ -236,11 +240,11 @@ impl Run<'_> {
         });
         match value {
             Some(value) => {
-                self.unit_is_said(r, value, block)?;
+                self.unit_is_said(r, value)?;
                 Ok(value / mm)
             }
-            None => self.core.refuse(
-                block.span,
+            None => self.view.core.refuse(
+                self.block.span,
                 codes::P2004::table_data_of_tool_is_not_known(&key).answer(Answer::tool(&key, field_of(r.nr))),
             ),
         }

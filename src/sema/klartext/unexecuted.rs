@@ -15,10 +15,11 @@ use crate::sema::run::unexecuted::Blocks;
 use crate::text::{Loc, Span, decode::readable};
 
 use super::Klartext;
+use super::block_text::same_matter;
 use super::cycles::{Nature, find};
 use super::labels::{Label, Labels};
 use super::path::{corner_words, path_words};
-use super::words::{Admits, same_matter};
+use super::words::Admits;
 use super::{m_table, plane, probing, refused};
 
 /// Looks at every block of the main program after its run.

@@ -5,8 +5,12 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
+use crate::diag::codes;
 use crate::lexer::klartext::{QKind, QRef};
-use crate::text::Loc;
+use crate::sema::run::Where;
+use crate::text::{Loc, Span};
+
+use super::{Core, Outcome};
 
 /// A number or a text in UTF-8.
 pub(super) type Val = crate::sema::value::Val;
@@ -51,10 +55,7 @@ impl Vars {
         let mut vars = Vars::default();
         let mut locals = Locals::default();
         for (name, &value) in start {
-            let Some((kind, digits)) = split(name) else { continue };
-            let Ok(number) = digits.parse() else { continue };
-            let q = QRef { kind, number };
-            if exists(q) {
+            if let Some(q) = named(name).filter(|q| exists(*q)) {
                 vars.set(&mut locals, q, Slot::Number(value));
             }
         }
@@ -90,14 +91,65 @@ impl Vars {
         }
         list[at] = Some(value);
     }
+
+    /// Sets a parameter by the block in hand.
+    pub fn assign(&mut self, core: &mut Core<'_>, q: QRef, value: Slot, span: Span) -> Outcome {
+        if !exists(q) {
+            return core.refuse(span, codes::P2025::does_not_exist(&q));
+        }
+        if q.kind == QKind::Q && (100..200).contains(&q.number) {
+            core.say(span, codes::K2305::belongs_to_control(&q));
+        }
+        if let Slot::Number(number) = value {
+            let origin = core.here.origin;
+            core.job.trail.assigns(origin.loc, origin.call, || q.to_string(), number);
+        }
+        self.put(core, q, value);
+        Ok(())
+    }
+
+    /// The control, or an error, sets a parameter that [`exists`].
+    pub fn put(&mut self, core: &mut Core<'_>, q: QRef, value: Slot) {
+        if let Some(locals) = core.locals_mut() {
+            self.set(locals, q, value);
+        }
+    }
+
+    /// The block `text` would have set a parameter and was refused: its value is lost, not undefined.
+    pub fn lose_target(&mut self, core: &mut Core<'_>, text: &[u8]) {
+        if let Some(q) = assigned(text).filter(|q| exists(*q)) {
+            self.put(core, q, Slot::Lost);
+        }
+    }
+
+    /// FN 37: EXPORT copies a local parameter to the caller.
+    pub fn export(&self, core: &mut Core<'_>, number: u32) -> Outcome {
+        let q = QRef { kind: QKind::Ql, number };
+        let Some(value) = self.get(core.locals(), q).cloned() else {
+            return core.refuse(Where::Block, codes::P2020::has_no_value_to_export(&q));
+        };
+        if let Some(locals) = core.locals_of_caller() {
+            locals.insert(number, value);
+        }
+        Ok(())
+    }
 }
 
-fn split(name: &str) -> Option<(QKind, &str)> {
+/// `Q5`, `QL5`, `QR5`, `QS5`
+pub(super) fn named(name: &str) -> Option<QRef> {
     let rest = name.strip_prefix('Q')?;
-    Some(match rest.chars().next()? {
+    let (kind, digits) = match rest.chars().next()? {
         'L' => (QKind::Ql, &rest[1..]),
         'R' => (QKind::Qr, &rest[1..]),
         'S' => (QKind::Qs, &rest[1..]),
         _ => (QKind::Q, rest),
-    })
+    };
+    Some(QRef { kind, number: digits.parse().ok()? })
+}
+
+/// The parameter in front of the first `=`: `Q1 = …`, `FN 1: Q1 = …`, `TABREAD Q10 = …`.
+fn assigned(text: &[u8]) -> Option<QRef> {
+    let front = text.split(|b| *b == b'=').next().filter(|front| front.len() < text.len())?;
+    let word = front.trim_ascii_end().rsplit(|b| b.is_ascii_whitespace() || *b == b':').next()?;
+    named(std::str::from_utf8(&word.to_ascii_uppercase()).ok()?)
 }

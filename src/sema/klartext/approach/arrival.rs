@@ -5,15 +5,16 @@ use std::fmt::Display;
 use crate::diag::{Answer, codes};
 use crate::geo::{self, Point2, SAME_POINT, Vec2, distance, joint};
 use crate::ir::contour::Move;
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::{Feed, Function, Origin, Side};
 use crate::machine::{ApproachDepth, Axis, Generation};
-use crate::sema::run::Site;
+use crate::sema::run::{Site, Where};
 use crate::text::Span;
 
-use super::super::contour::{Contour, LastMove};
+use super::super::contour::Contour;
+use super::super::place::View;
 use super::super::words::{Comp, Words};
-use super::super::{Outcome, Reported, Run};
-use super::border::{Border, Circle, Shape};
+use super::super::{Core, Outcome, Run};
+use super::border::{Border, Circle, Moves, Shape, end_of, forbid_scaling};
 
 /// What may stand between an approach and the first element of its contour.
 pub(in super::super) const MOST_HELD: usize = 256;
@@ -22,11 +23,11 @@ pub(in super::super) const MOST_HELD: usize = 256;
 #[derive(Debug)]
 pub(in super::super) struct Approach {
     shape: Shape,
-    name: String,
-    here: Site,
-    span: Span,
+    pub name: String,
+    pub here: Site,
+    pub span: Span,
     from: Point2,
-    to: Point2,
+    pub to: Point2,
     /// The tool axis: from where to where.
     depth: Option<(Option<f64>, f64)>,
     /// Where the tool lies.
@@ -61,154 +62,114 @@ struct Way {
 
 impl Run<'_> {
     pub(super) fn approach_later(&mut self, name: &str, span: Span, shape: Shape, polar: bool, w: &Words) -> Outcome {
-        let (left, side) = self.approach_side(name, span, w)?;
-        self.forbid_scaling(span)?;
+        let (left, side) = self.view().approach_side(name, span, w)?;
+        forbid_scaling(&self.core, &self.st.ctx.frame, span)?;
         let mut radius = 0.0;
         if side != Side::None {
             self.compute_compensation(w.comp_span)?;
-            self.check_cutter(w.comp_span)?;
-            radius = self.tool_radius(w.comp_span)?;
+            self.st.tool.check_cutter(&self.core, w.comp_span)?;
+            radius = self.st.tool.radius(&self.core, w.comp_span)?;
             self.st.compensation.select(side);
             self.shape_corners(w)?;
         }
         self.m_at_start(w, true)?;
         let plane = self.st.plane();
-        let from = self.start_in(plane, name)?;
+        let from = self.view().start_in(plane, name)?;
         // LT, LN and CT go to PH as the block before went, LCT as its own block says.
-        let before = if self.st.feed.last_rapid { None } else { self.feed_before() };
+        let before = if self.st.feed.last_rapid { None } else { self.st.feed.before(&self.core) };
         let own = matches!(shape, Shape::LineArc { .. });
         if before.is_none() && !self.st.feed.last_rapid && !own {
-            return self.feed_missing();
+            return self.st.feed.missing(&self.core);
         }
-        self.set_feed(w)?;
-        let straight = self.move_feed(w)?;
-        let feed = if shape.is_round() { Some(self.arc_feed(w)?) } else { straight };
+        self.st.set_feed(&self.core, w)?;
+        let straight = self.st.feed.of_move(&self.core, w)?;
+        let feed = if shape.is_round() { Some(self.st.feed.of_arc(&self.core, w)?) } else { straight };
         let lead = if own { straight } else { before };
         let (to, depth) = self.border_point(name, polar, from, w)?;
         let third = Axis::ALL[plane.axes().2];
         if depth.is_some() && self.st.feed.plunge_share().is_some() {
             return self.core.refuse(w.axes_span, codes::K9003::with_tool_axis_under_m103_is_not(&name));
         }
-        let mut after = Pos::UNKNOWN;
-        after.set_in_plane(plane, to);
-        if let Some(depth) = depth {
-            after.set(third, depth);
-        }
+        let after = end_of(plane, Some(to), depth);
         let depth = depth.map(|depth| (self.st.position.get(third), depth));
         let (here, name) = (self.core.here, name.to_owned());
         let held = Vec::new();
         self.approach =
             Some(Box::new(Approach { shape, name, here, span, from, to, depth, left, side, radius, lead, feed, held }));
         self.st.compensation.found();
-        self.st.contour = Some(Contour { begun: true, ..Contour::new(side) });
+        self.st.contour.now = Some(Contour { begun: true, ..Contour::new(side) });
         self.st.position.move_to(&after);
         self.st.position.forget_way();
         Ok(())
     }
+}
 
+impl View<'_, '_> {
     /// Is the tool left of the contour, and which side has the contour?
-    fn approach_side(&mut self, name: &str, span: Span, w: &Words) -> Outcome<(bool, Side)> {
+    fn approach_side(&self, name: &str, span: Span, w: &Words) -> Outcome<(bool, Side)> {
         if self.st.compensation.is_on() {
             return self.core.refuse(span, codes::K9003::while_rl_or_rr_is_active(&name));
         }
-        if self.computes_path() && self.st.contour.is_some() {
+        if self.core.computes_path() && self.st.contour.now.is_some() {
             return self.core.refuse(span, codes::K9003::starts_beside_contour(&name));
         }
         match w.comp {
             Some(Comp::Side(side @ (Side::Left | Side::Right))) => Ok((side == Side::Left, side)),
             _ if self.core.job.settings.control.klartext <= Generation::Itnc530 => {
-                self.core.report(codes::K2895::without_rl_or_rr(&name).at(self.core.loc(span)));
+                self.core.say(span, codes::K2895::without_rl_or_rr(&name));
                 Ok((false, Side::None))
             }
             _ => self.core.refuse(span, codes::K9003::with_r0_is_not_supported(&name)),
         }
     }
+}
 
-    /// A move while an approach is open: true if it waits, because it leaves the plane alone, or if the approach to it was
-    /// refused. Else it is the first element of the contour, and the approach is sent.
-    #[cold]
-    pub(in super::super) fn wait_for_contour(&mut self, mv: &Move) -> bool {
-        if !self.st.moves_in_plane(&mv.end, &mv.path)
-            && let Some(approach) = &mut self.approach
-            && approach.held.len() < MOST_HELD
-        {
-            approach.held.push(Held::Move(*mv, self.core.here.origin));
-            return true;
+impl Approach {
+    /// The moves onto the contour, whose first element begins in the direction `heading`.
+    pub fn moves(&self, view: View<'_, '_>, heading: Vec2) -> Outcome<Vec<Move>> {
+        let core = view.core;
+        let border = Border::new(self.to, heading, self.left, (self.side, self.radius), core.computes_path());
+        let way = self.way(core, &border)?;
+        let lead = distance(self.from, way.start);
+        if lead <= SAME_POINT && core.computes_path() {
+            return core.refuse(self.span, codes::K2605::start_of_is_point(&self.name));
         }
-        self.send_approach(mv).is_err()
-    }
-
-    /// The first element of the contour is about to be sent: now the approach to it is known.
-    fn send_approach(&mut self, mv: &Move) -> Outcome {
-        let Some(approach) = self.approach.take() else { return Ok(()) };
-        let plane = self.st.plane();
-        let (first, second, _) = plane.axes();
-        let coordinate = |axis: usize, old: f64| mv.end.get(Axis::ALL[axis]).unwrap_or(old);
-        let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
-        let element = LastMove::new(approach.to, to, plane, mv.path, None);
-        let here = std::mem::replace(&mut self.core.here, approach.here);
-        let made = match element.direction(true) {
-            Some(heading) => self.make_approach(&approach, heading),
-            None => {
-                self.core.refuse(approach.span, codes::K9003::leads_onto_block_whose_direction_is_not(&approach.name))
-            }
-        };
-        if made.is_err() {
-            self.lost();
-            self.forget_contour();
-        }
-        self.core.here = here;
-        for held in &approach.held {
-            match held {
-                Held::Function(function, origin) => self.core.out.function(function, &self.st.ctx, origin),
-                Held::Move(mv, origin) if made.is_ok() => self.core.out.movement(mv, &self.st.ctx, origin),
-                Held::Move(..) => {}
-            }
-        }
-        made
-    }
-
-    fn make_approach(&mut self, a: &Approach, heading: Vec2) -> Outcome {
-        let border = self.border(a.to, heading, a.left, a.side, a.radius);
-        let way = self.way_of(a, &border)?;
-        let lead = distance(a.from, way.start);
-        if lead <= SAME_POINT && self.computes_path() {
-            return self.core.refuse(a.span, codes::K2605::start_of_is_point(&a.name));
-        }
-        let (at_start, staged, at_end) = self.depths(a, lead / (lead + way.length))?;
-        self.way_to(way.start, at_start, a.lead, border.side);
+        let (at_start, staged, at_end) = self.depths(view, lead / (lead + way.length))?;
+        let mut moves = Moves::new(view.st.plane());
+        moves.line(way.start, at_start, self.lead, border.side);
         if let Some(depth) = staged {
-            self.axis_move(depth, a.feed, border.side);
+            moves.depth(depth, self.feed, border.side);
         }
-        let enters = a.side != Side::None && border.side == Side::None;
+        let enters = self.side != Side::None && border.side == Side::None;
         match way.arc {
-            None if enters => self.way_to(a.to, at_end, a.feed, a.side),
-            None => self.way_to(border.at, at_end, a.feed, border.side),
+            None if enters => moves.line(self.to, at_end, self.feed, self.side),
+            None => moves.line(border.at, at_end, self.feed, border.side),
             Some(on) => {
-                self.arc_to(border.at, at_end, &on, a.feed, border.side)?;
+                moves.arc(border.at, at_end, &on, self.feed, border.side);
                 // The tool stands beside the contour already: this is where the compensation begins.
-                if enters && a.radius > 0.0 {
-                    self.plane_move(a.to, a.feed, a.side);
+                if enters && self.radius > 0.0 {
+                    moves.line(self.to, None, self.feed, self.side);
                 }
             }
         }
-        Ok(())
+        Ok(moves.list)
     }
 
-    fn way_of(&mut self, a: &Approach, border: &Border) -> Outcome<Way> {
-        Ok(match a.shape {
+    fn way(&self, core: &Core<'_>, border: &Border) -> Outcome<Way> {
+        let circle = |radius| border.circle(radius, &self.name).or_else(|fault| core.refuse(Where::Block, fault));
+        Ok(match self.shape {
             Shape::Line { length } => Way { start: border.at - border.heading * length, arc: None, length },
             Shape::Normal { length } => Way { start: border.edge + border.out * length, arc: None, length },
             Shape::Arc { radius, angle } => {
-                let on = self.circle_at(border, radius, &a.name)?;
+                let on = circle(radius)?;
                 let turn = geo::Deg(if on.ccw { -angle } else { angle });
                 let start = geo::angle::rotated(border.at, on.center, turn);
                 Way { start, arc: Some(on), length: radius.abs() * angle.to_radians() }
             }
             Shape::LineArc { radius } => {
-                let on = self.circle_at(border, radius, &a.name)?;
-                let Some(touch) = joint::tangent_point(a.from, on.center, radius, on.ccw) else {
-                    return self.core.refuse(a.span, codes::K2605::start_of_lies_inside_its_circle(&a.name));
+                let on = circle(radius)?;
+                let Some(touch) = joint::tangent_point(self.from, on.center, radius, on.ccw) else {
+                    return core.refuse(self.span, codes::K2605::start_of_lies_inside_its_circle(&self.name));
                 };
                 let start = on.center + (touch - on.center) * (on.radius / radius);
                 let sweep = geo::arc::sweep(start, border.at, on.center, on.ccw).abs();
@@ -218,9 +179,9 @@ impl Run<'_> {
     }
 
     /// Where the tool axis is at PH, whether it moves there alone, and where it is at the contour.
-    fn depths(&mut self, a: &Approach, share: f64) -> Outcome<(Option<f64>, Option<f64>, Option<f64>)> {
-        let Some((from, depth)) = a.depth else { return Ok((None, None, None)) };
-        let settings = &self.core.job.settings.control;
+    fn depths(&self, view: View<'_, '_>, share: f64) -> Outcome<(Option<f64>, Option<f64>, Option<f64>)> {
+        let Some((from, depth)) = self.depth else { return Ok((None, None, None)) };
+        let settings = &view.core.job.settings.control;
         let newer = settings.klartext >= Generation::Tnc7;
         if !match settings.klartext_choices.approach_depth {
             Some(ApproachDepth::Together) => true,
@@ -229,33 +190,19 @@ impl Run<'_> {
         } {
             return Ok((None, Some(depth), None));
         }
-        if !self.computes_path() {
-            return self.core.refuse(a.span, codes::K9003::with_tool_axis_is_not_supported(&a.name));
+        if !view.core.computes_path() {
+            return view.core.refuse(self.span, codes::K9003::with_tool_axis_is_not_supported(&self.name));
         }
         let Some(from) = from else {
             let fault = |axis: &dyn Display, why: &dyn Display| {
-                codes::P2001::moves_tool_axis_together_with_plane(&a.name, axis, why)
+                codes::P2001::moves_tool_axis_together_with_plane(&self.name, axis, why)
             };
-            return self.unknown_position(self.st.axis(), a.span, fault);
+            return view.unknown_position(view.st.axis(), self.span, fault);
         };
         if settings.klartext_choices.approach_depth.is_none() {
-            self.core.report(
-                codes::K2896::tool_axis_of_moves_evenly_over_whole(&a.name)
-                    .answer(Answer::key("control", "approach_depth"))
-                    .at(self.core.loc(a.span)),
-            );
+            let fault = codes::K2896::tool_axis_of_moves_evenly_over_whole(&self.name);
+            view.core.say(self.span, fault.answer(Answer::key("control", "approach_depth")));
         }
         Ok((Some(from + (depth - from) * share), None, Some(depth)))
-    }
-
-    /// Refuses whatever may not stand between an approach and its contour.
-    pub(in super::super) fn forbid_open_approach(&mut self) -> Outcome {
-        let Some(approach) = self.approach.take() else { return Ok(()) };
-        let loc = approach.here.loc(&self.core.job, approach.span);
-        let found = codes::K9003::no_contour_element_follows(&approach.name).at(loc);
-        self.core.job.diags.push(found.called(approach.here.origin.call));
-        self.forget_contour();
-        self.lose_all();
-        Err(Reported)
     }
 }

@@ -331,7 +331,7 @@ impl CycleCall<'_> {
         if state.is_large(value) {
             self.st.at_definition.borrow_mut().push(codes::K2013::under_m136_this_feed_is_mm_per(&value));
         }
-        Ok(state.counted(value, self.given.unit == Unit::Inch.mm()))
+        Ok(state.counted(value, if self.given.unit == Unit::Inch.mm() { Unit::Inch } else { Unit::Mm }))
     }
 }
 

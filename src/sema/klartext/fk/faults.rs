@@ -4,9 +4,8 @@ use crate::diag::{Diagnostic, Label, codes};
 use crate::geo::open::Solved;
 use crate::geo::open::window::{Fault, Item, Place, Serial, Shape};
 use crate::geo::{Point2, distance};
-use crate::machine::Axis;
 
-use super::super::{Reported, Run};
+use super::super::{Core, Reported};
 use super::{Free, Kind, Waiting};
 
 /// Solutions that are printed.
@@ -46,20 +45,20 @@ fn open_joint(free: &Free) -> Option<[&Waiting; 2]> {
     None
 }
 
-impl Run<'_> {
+/// What is said of a free contour, in the letters of its plane.
+pub(super) struct Told<'t, 'a> {
+    pub core: &'t Core<'a>,
+    pub letters: [char; 2],
+}
+
+impl Told<'_, '_> {
     /// A point as a program writes it, in the unit of the program.
     pub(super) fn shown(&self, p: Point2) -> String {
-        let [first, second] = self.letters();
-        let mm = self.core.levels.last().map_or(1.0, |level| level.frame.unit.mm());
+        let [first, second] = self.letters;
+        let mm = self.core.mm();
         // No minus in front of nothing.
         let digits = |value: f64| format!("{:.4}", (value / mm * 1e4).round() / 1e4 + 0.0);
         format!("{first}{} {second}{}", digits(p.x), digits(p.y))
-    }
-
-    /// Letters of the working plane.
-    pub(super) fn letters(&self) -> [char; 2] {
-        let (first, second, _) = self.st.plane().axes();
-        [first, second].map(|axis| Axis::ALL[axis].letter())
     }
 
     fn say(&self, free: &Free, waiting: &Waiting, found: Diagnostic) {
@@ -70,11 +69,7 @@ impl Run<'_> {
             }
             _ => found,
         };
-        self.report_at(found.called(waiting.here.origin.call));
-    }
-
-    fn report_at(&self, found: Diagnostic) {
-        self.core.job.diags.push(found);
+        self.core.job.diags.push(found.called(waiting.here.origin.call));
     }
 
     /// Reports why the contour has no solution.
@@ -114,7 +109,7 @@ impl Run<'_> {
     /// Reports that two lines on one straight meet anywhere on it, however much else is known.
     fn joint_is_open(&self, free: &Free, [first, second]: [&Waiting; 2]) -> Reported {
         let names = [first, second].map(|waiting| name(&item(waiting)));
-        let [x, y] = self.letters();
+        let [x, y] = self.letters;
         let found = codes::K3001::behind_it_lie_on_one_straight(&names[0], &names[1], &x, &y)
             .at(first.here.loc(&self.core.job, first.span))
             .also(second.here.loc(&self.core.job, second.span), Label::SameStraight);
@@ -124,7 +119,7 @@ impl Run<'_> {
 
     /// The words that are missing in the element.
     fn wanted(&self, item: &Item) -> String {
-        let [first, second] = self.letters();
+        let [first, second] = self.letters;
         let mut words: Vec<String> = Vec::new();
         let mut offer = |missing: bool, word: String| {
             if missing {
@@ -186,7 +181,7 @@ impl Run<'_> {
 
     /// The word that tells the solutions apart.
     fn deciding(&self, item: &Item, candidates: &[Solved]) -> String {
-        let [first, second] = self.letters();
+        let [first, second] = self.letters;
         let differs = |of: fn(&Solved) -> Option<f64>| {
             candidates.iter().enumerate().all(|(i, a)| {
                 candidates[..i].iter().all(|b| of(a).zip(of(b)).is_some_and(|(a, b)| (a - b).abs() > APART))
@@ -213,7 +208,7 @@ impl Run<'_> {
         let item = item(waiting);
         let found = codes::K8022::has_several_solutions(&name(&item), &item.select.unwrap_or_default())
             .at(waiting.here.loc(&self.core.job, waiting.span));
-        self.report_at(found.called(waiting.here.origin.call));
+        self.core.job.diags.push(found.called(waiting.here.origin.call));
     }
 }
 

@@ -11,16 +11,18 @@ use std::collections::VecDeque;
 
 use crate::diag::{Answer, codes};
 use crate::geo::open::window::{Closed, EndAngle, Item, MOST_BACK, Serial, Settled, Window};
-use crate::geo::{Point2, Vec2, distance};
+use crate::geo::{Plane, Point2, distance};
 use crate::ir::Pos;
+use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, FkHead, PathFn, Stmt};
-use crate::sema::run::Site;
+use crate::sema::run::{Site, Where};
 use crate::text::{Loc, Span};
 
-use super::contour::LastMove;
-use super::path::Motion;
+use super::path::{Motion, corner_head, corner_words};
 use super::words::{Admits, Words};
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
+use faults::Told;
+use words::Elements;
 
 /// Chamfers, roundings and blocks of M functions that may wait with the elements.
 const MOST_BETWEEN: usize = 256;
@@ -67,6 +69,53 @@ impl Free {
             pole: None,
             closes: None,
             system,
+        }
+    }
+
+    /// A block that waits; false where too many do.
+    fn wait(&mut self, waiting: Waiting) -> bool {
+        let room = self.queue.len() < MOST_BETWEEN;
+        if room {
+            self.queue.push_back(waiting);
+        }
+        room
+    }
+
+    /// FSELECT chooses a solution of the element in front.
+    fn select(&mut self, core: &Core<'_>, number: Option<f64>) -> Outcome {
+        let number = number.filter(|number| number.fract() == 0.0 && (1.0..=99.0).contains(number));
+        let Some(number) = number else {
+            return core.refuse(Where::Block, codes::P1004::fselect_needs_number_of_solution());
+        };
+        if self.window.next_serial() == 0 {
+            return core.refuse(Where::Block, codes::K3004::fselect_chooses_solution_of_element_in_front());
+        }
+        self.window.select(number as u32);
+        let last = self.queue.iter_mut().rev().find_map(|waiting| match &mut waiting.kind {
+            Kind::Element { item, .. } => Some(item),
+            Kind::Corner { .. } | Kind::Functions => None,
+        });
+        if let Some(item) = last {
+            item.select = Some(number as u32);
+        }
+        Ok(())
+    }
+
+    /// FPOL
+    fn set_pole(&mut self, core: &Core<'_>, w: &Words, plane: Plane) -> Outcome {
+        let whole = w.axes.known().len() == 2 && w.incremental.is_empty();
+        self.pole = w.axes.in_plane(plane).filter(|_| whole);
+        if self.pole.is_some() {
+            return Ok(());
+        }
+        core.refuse(Where::Block, codes::P1004::fpol_needs_both_axes_of_working_plane())
+    }
+
+    /// Nothing closes a contour any more that began with CLSD+.
+    fn warn_of_unclosed(&mut self, core: &Core<'_>) {
+        if let Some((_, loc)) = self.closes.take() {
+            let found = codes::K8025::no_clsd_closes_contour_that_begins_here().at(loc);
+            core.report(found.help("write CLSD- in the last element, or remove CLSD+"));
         }
     }
 
@@ -123,7 +172,7 @@ pub(super) fn goes_on(block: &Block, changing: &[u32]) -> bool {
     }
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
     /// Does an element of a free contour wait for others?
     #[inline]
     pub(super) fn contour_waits(&self) -> bool {
@@ -132,37 +181,46 @@ impl Run<'_> {
 
     pub(super) fn fk_block(&mut self, head: FkHead, block: &Block, text: &[u8]) -> Outcome {
         let system = self.st.frames.system();
-        if self.free.as_ref().is_some_and(|free| free.system != system) {
-            self.warn_of_unclosed();
-        }
-        let mut free =
-            self.free.take().filter(|free| free.system == system).unwrap_or_else(|| Box::new(Free::new(system)));
+        let mut free = match self.free.take() {
+            Some(free) if free.system == system => free,
+            before => {
+                before.into_iter().for_each(|mut free| free.warn_of_unclosed(&self.core));
+                Box::new(Free::new(system))
+            }
+        };
         let result = match head {
-            FkHead::Pole => self.set_fk_pole(&mut free, block),
-            FkHead::Select => self.select(&mut free, block),
+            FkHead::Pole => {
+                let w = self.gather(block, "FPOL", Admits::AXES);
+                w.and_then(|w| free.set_pole(&self.core, &w, self.st.plane()))
+            }
+            FkHead::Select => {
+                let w = self.gather(block, "FSELECT", Admits::NUMBER);
+                w.and_then(|w| free.select(&self.core, w.number))
+            }
             FkHead::Line { .. } | FkHead::Arc { .. } => self.element(&mut free, head, block, text),
         };
         self.free = Some(free);
         let ends = block.words.iter().any(|word| matches!(word.addr, Addr::M(2 | 30 | 89 | 99)));
         let result = result.and_then(|()| if ends { self.close_contour() } else { self.flush() });
         if result.is_err() {
-            self.abandon_contour();
-            // The element that it leads to is the one that was refused.
-            self.approach = None;
-            self.lose_all();
+            self.give_up();
         }
         result
     }
 
     /// An element: it waits, or goes out at once.
     fn element(&mut self, free: &mut Free, head: FkHead, block: &Block, text: &[u8]) -> Outcome {
-        let name = words::name(head);
+        let (name, plane, letters) = (words::name(head), self.st.plane(), self.letters());
         self.st.polar.forget_pole();
+        let direction = if self.approach.is_some() { None } else { self.st.last_direction() };
         if free.queue.is_empty() {
-            let at = self.start_in(self.st.plane(), name)?;
-            free.window.restart(at, self.last_direction());
+            free.window.restart(self.view().start_in(plane, name)?, direction);
         }
-        let (item, words) = self.fk_words(free, head, block, text)?;
+        let (rest, said) = words::keys(self.reading(), letters, head, block, text)?;
+        let words = self.gather(&rest, name, words::admits(head))?;
+        words.forbid_m(&self.core, name, &[91, 92])?;
+        let elements = Elements { core: &self.core, plane, letters, direction };
+        let item = elements.item(free, head, &words, &said)?;
         let serial = free.window.next_serial();
         if let Some(number) = block.number {
             if free.numbers.len() == MOST_BACK {
@@ -173,69 +231,57 @@ impl Run<'_> {
         let waiting =
             Waiting { kind: Kind::Element { serial, item }, words, here: self.core.here, span: self.core.block_span() };
         free.queue.push_back(waiting);
-        free.window.push(item).map_err(|fault| self.fk_fault(free, &fault))
+        free.window.push(item).map_err(|fault| self.told().fk_fault(free, &fault))
     }
 
-    fn select(&mut self, free: &mut Free, block: &Block) -> Outcome {
-        let w = self.gather(block, "FSELECT", Admits::NUMBER)?;
-        let number = w.number.filter(|number| number.fract() == 0.0 && (1.0..=99.0).contains(number));
-        self.put_back(w);
-        let Some(number) = number else {
-            return self.core.refuse(self.core.block_span(), codes::P1004::fselect_needs_number_of_solution());
-        };
-        if free.window.next_serial() == 0 {
-            return self
-                .core
-                .refuse(self.core.block_span(), codes::K3004::fselect_chooses_solution_of_element_in_front());
-        }
-        free.window.select(number as u32);
-        let last = free.queue.iter_mut().rev().find_map(|waiting| match &mut waiting.kind {
-            Kind::Element { item, .. } => Some(item),
-            Kind::Corner { .. } | Kind::Functions => None,
-        });
-        if let Some(item) = last {
-            item.select = Some(number as u32);
-        }
-        Ok(())
-    }
-
-    fn set_fk_pole(&mut self, free: &mut Free, block: &Block) -> Outcome {
-        let w = self.gather(block, "FPOL", Admits::AXES)?;
-        let pole = w.axes.in_plane(self.st.plane());
-        let whole = w.axes.known().len() == 2 && w.incremental.is_empty();
-        self.put_back(w);
-        free.pole = pole.filter(|_| whole);
-        if free.pole.is_some() {
+    /// RND (true) or CHF, or a block of M functions: behind an element that waits it waits, too.
+    pub(super) fn corner_block(&mut self, rounding: bool, block: &Block) -> Outcome {
+        let w = self.gather(block, corner_head(rounding), corner_words(rounding))?;
+        if self.contour_waits() {
+            self.wait_between(Kind::Corner { rounding }, w);
             return Ok(());
         }
-        self.core.refuse(self.core.block_span(), codes::P1004::fpol_needs_both_axes_of_working_plane())
+        let result = self.make_corner(rounding, &w);
+        self.words = Some(w);
+        result
     }
 
-    /// A chamfer or rounding behind an element that waits.
-    pub(super) fn corner_later(&mut self, rounding: bool, words: Box<Words>) {
-        self.wait_between(Kind::Corner { rounding }, words);
-    }
-
-    /// M functions behind an element that waits.
-    pub(super) fn functions_later(&mut self, words: Box<Words>) {
-        self.wait_between(Kind::Functions, words);
+    /// A block that holds M functions or a feed only.
+    pub(super) fn functions_block(&mut self, block: &Block) -> Outcome {
+        let w = self.gather(block, "", Admits::PATH)?;
+        if self.contour_waits() {
+            self.wait_between(Kind::Functions, w);
+            return Ok(());
+        }
+        self.run_motion(Motion::Programmed(PathFn::Line), &w)
     }
 
     fn wait_between(&mut self, kind: Kind, words: Box<Words>) {
         let (here, span) = (self.core.here, self.core.block_span());
         let Some(free) = &mut self.free else { return };
-        if free.queue.len() < MOST_BETWEEN {
-            free.queue.push_back(Waiting { kind, words, here, span });
-            return;
+        if !free.wait(Waiting { kind, words, here, span }) {
+            self.core.say(span, codes::K9002::too_many_blocks_stand_between_elements());
+            self.abandon_contour();
+            self.st.lose_all(&mut self.core);
         }
-        let _ = self.core.refuse::<()>(span, codes::K9002::too_many_blocks_stand_between_elements());
-        self.abandon_contour();
-        self.lose_all();
+    }
+
+    /// What is said of a free contour.
+    fn told(&self) -> Told<'_, 'a> {
+        Told { core: &self.core, letters: self.letters() }
+    }
+
+    /// Letters of the working plane.
+    fn letters(&self) -> [char; 2] {
+        let (first, second, _) = self.st.plane().axes();
+        [first, second].map(|axis| Axis::ALL[axis].letter())
     }
 
     /// Carries out the elements that are settled, and what stands behind them.
     fn flush(&mut self) -> Outcome {
-        self.warn_of_readings();
+        if let Some(free) = &self.free {
+            self.told().warn_of_readings(free);
+        }
         while let Some(free) = &mut self.free {
             if let Some(between) = free.next_between() {
                 self.carry_out(between, None)?;
@@ -256,7 +302,7 @@ impl Run<'_> {
             (Kind::Element { .. }, Some(Settled { solved, .. })) => {
                 w.axes = Pos::UNKNOWN;
                 w.axes.set_in_plane(self.st.plane(), solved.to);
-                w.incremental = crate::machine::AxisSet::EMPTY;
+                w.incremental = AxisSet::EMPTY;
                 let motion = match solved.arc {
                     Some((center, ccw)) => Motion::Solved { center, ccw },
                     None => Motion::Programmed(PathFn::Line),
@@ -264,10 +310,10 @@ impl Run<'_> {
                 self.run_motion(motion, w)
             }
             (Kind::Corner { rounding }, _) => self.make_corner(rounding, w),
-            (Kind::Functions | Kind::Element { .. }, _) => self.run_path(PathFn::Line, w),
+            (Kind::Functions | Kind::Element { .. }, _) => self.run_motion(Motion::Programmed(PathFn::Line), w),
         };
         self.core.here = here;
-        self.put_back(waiting.words);
+        self.words = Some(waiting.words);
         result
     }
 
@@ -280,34 +326,36 @@ impl Run<'_> {
         let Some(mut free) = self.free.take() else { return Ok(()) };
         let result = match free.window.close(observed) {
             Ok(Closed::One { observed }) => {
-                observed.iter().for_each(|serial| self.warn_of_choice(&free, *serial));
+                observed.iter().for_each(|serial| self.told().warn_of_choice(&free, *serial));
                 Ok(())
             }
             Ok(Closed::Several { serial, candidates }) => {
-                self.ambiguous(&free, serial, &candidates);
+                self.told().ambiguous(&free, serial, &candidates);
                 Err(Reported)
             }
             Err(fault) => {
-                self.fk_fault(&free, &fault);
+                self.told().fk_fault(&free, &fault);
                 Err(Reported)
             }
         };
         self.free = Some(free);
         let result = result.and_then(|()| self.flush());
         if result.is_err() {
-            self.abandon_contour();
-            self.approach = None;
-            self.lose_all();
+            self.give_up();
         }
         result
     }
 
-    /// Nothing closes a contour any more that began with CLSD+.
+    /// The contour is refused; the element that an approach leads to is the one that was refused.
+    fn give_up(&mut self) {
+        self.abandon_contour();
+        self.approach = None;
+        self.st.lose_all(&mut self.core);
+    }
+
+    /// The run is over: nothing closes a contour any more.
     pub(super) fn warn_of_unclosed(&mut self) {
-        if let Some((_, loc)) = self.free.as_mut().and_then(|free| free.closes.take()) {
-            let found = codes::K8025::no_clsd_closes_contour_that_begins_here().at(loc);
-            self.core.report(found.help("write CLSD- in the last element, or remove CLSD+"));
-        }
+        self.free.iter_mut().for_each(|free| free.warn_of_unclosed(&self.core));
     }
 
     /// The contour is given up, which was reported: nobody knows where it leads.
@@ -318,25 +366,16 @@ impl Run<'_> {
         }
         free.queue.clear();
         free.window.restart(Point2::origin(), None);
-        self.lose_all();
+        self.st.lose_all(&mut self.core);
     }
+}
 
-    /// The direction in which the last move ended, in the working plane.
-    pub(super) fn last_direction(&self) -> Option<Vec2> {
-        if self.approach.is_some() {
-            return None;
-        }
-        let plane = self.st.plane();
-        let (from, to) = (self.st.position.move_began(plane)?, self.st.position.in_plane(plane)?);
-        LastMove::entered(from, to, plane, self.st.last_path, self.st.last_entry).direction(false)
-    }
-
+impl Told<'_, '_> {
     /// CCA has two readings: says so where both fit and end in different places.
-    fn warn_of_readings(&self) {
+    fn warn_of_readings(&self, free: &Free) {
         if self.core.job.settings.control.klartext_choices.fk_cca_swept.is_some() {
             return;
         }
-        let Some(free) = &self.free else { return };
         let ready = free.window.ready();
         let elements = free.queue.iter().filter_map(|waiting| match waiting.kind {
             Kind::Element { serial, item } => Some((waiting, serial, item)),

@@ -1,15 +1,17 @@
 //! The words of FL, FLT, FC and FCT.
 
 use crate::diag::{Label, codes};
-use crate::geo::Point2;
 use crate::geo::open::window::{Base, EndAngle, Given, Item, Serial, Shape};
+use crate::geo::{Plane, Point2, Vec2};
 use crate::machine::Axis;
 use crate::parser::klartext::ast::{Addr, Block, FkHead, Word};
 use crate::sema::common::plane::plane_axes;
+use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::super::reading::Reading;
 use super::super::words::{Admits, Words};
-use super::super::{Outcome, Run};
+use super::super::{Core, Outcome};
 use super::Free;
 
 /// A coordinate that a word says, or that another word refers to.
@@ -62,7 +64,7 @@ struct Said {
 
 /// The words of a block, but for those of every path block.
 #[derive(Debug, Default)]
-struct Data {
+pub(super) struct Data {
     list: Vec<Said>,
 }
 
@@ -145,62 +147,63 @@ impl Data {
     }
 }
 
-impl Run<'_> {
-    /// What the block says of its element, and the words that every path block has.
-    pub(super) fn fk_words(
-        &mut self,
-        free: &mut Free,
-        head: FkHead,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome<(Item, Box<Words>)> {
-        let (rest, said) = self.fk_keys(head, block, text)?;
-        let is_line = matches!(head, FkHead::Line { .. });
-        let admits = Admits::PATH.and(Admits::POLAR);
-        let admits = if is_line { admits } else { admits.and(Admits::RADIUS).and(Admits::TURN) };
-        let w = self.gather(&rest, name(head), admits)?;
-        self.forbid_m(&w, name(head), &[91, 92])?;
-        let item = self.item(free, head, &w, &said)?;
-        Ok((item, w))
-    }
+/// The words that every path block has, as far as an element takes them.
+pub(super) fn admits(head: FkHead) -> Admits {
+    let admits = Admits::PATH.and(Admits::POLAR);
+    if matches!(head, FkHead::Line { .. }) { admits } else { admits.and(Admits::RADIUS).and(Admits::TURN) }
+}
 
-    /// Takes the words of free contours out of the block.
-    fn fk_keys(&mut self, head: FkHead, block: &Block, text: &[u8]) -> Outcome<(Block, Data)> {
-        let mm = self.core.level().frame.unit.mm();
-        let letters = self.letters();
-        let is_line = matches!(head, FkHead::Line { .. });
-        let (mut rest, mut said) = (block.clone(), Data::default());
-        rest.words.clear();
-        let mut words = block.words.iter();
-        while let Some(&word) = words.next() {
-            let found = if word.addr == Addr::Name { key(word.span.of(text), letters) } else { None };
-            let Some(found) = found else {
-                rest.words.push(word);
-                continue;
-            };
-            if !(if is_line { found.is_of_lines() } else { found.is_of_arcs() }) {
-                return self.not_admitted(word, name(head));
-            }
-            if said.get(found).is_some() {
-                return self
-                    .core
-                    .refuse(word.span, codes::P1002::repeats_word_of_this_block(&self.word_text(word.span)));
-            }
-            let (mut value, mut span) = (0.0, word.span);
-            if !matches!(found, Key::Closed(_)) {
-                let Some(behind @ Word { addr: Addr::Value, .. }) = words.next() else {
-                    return self.core.refuse(word.span, codes::P1004::lacks_its_value(&self.word_text(word.span)));
-                };
-                span = word.span.to(behind.span);
-                value = self.number(behind.value, behind.span)? * if found.is_length() { mm } else { 1.0 };
-            }
-            said.list.push(Said { key: found, value, span });
+/// Takes the words of free contours out of the block.
+pub(super) fn keys(
+    reading: Reading<'_, '_>,
+    letters: [char; 2],
+    head: FkHead,
+    block: &Block,
+    text: &[u8],
+) -> Outcome<(Block, Data)> {
+    let (core, mm) = (reading.core, reading.core.mm());
+    let is_line = matches!(head, FkHead::Line { .. });
+    let (mut rest, mut said) = (block.clone(), Data::default());
+    rest.words.clear();
+    let mut words = block.words.iter();
+    while let Some(&word) = words.next() {
+        let found = if word.addr == Addr::Name { key(word.span.of(text), letters) } else { None };
+        let Some(found) = found else {
+            rest.words.push(word);
+            continue;
+        };
+        if !(if is_line { found.is_of_lines() } else { found.is_of_arcs() }) {
+            return core.not_admitted(word, name(head));
         }
-        Ok((rest, said))
+        if said.get(found).is_some() {
+            return core.refuse(word.span, codes::P1002::repeats_word_of_this_block(&core.word_text(word.span)));
+        }
+        let (mut value, mut span) = (0.0, word.span);
+        if !matches!(found, Key::Closed(_)) {
+            let Some(behind @ Word { addr: Addr::Value, .. }) = words.next() else {
+                return core.refuse(word.span, codes::P1004::lacks_its_value(&core.word_text(word.span)));
+            };
+            span = word.span.to(behind.span);
+            value = reading.number(behind.value, behind.span)? * if found.is_length() { mm } else { 1.0 };
+        }
+        said.list.push(Said { key: found, value, span });
     }
+    Ok((rest, said))
+}
 
-    fn item(&mut self, free: &mut Free, head: FkHead, w: &Words, said: &Data) -> Outcome<Item> {
-        let plane = self.st.plane();
+/// What an element is described by, besides its words.
+pub(super) struct Elements<'e, 'a> {
+    pub core: &'e Core<'a>,
+    pub plane: Plane,
+    pub letters: [char; 2],
+    /// In which the element before ends.
+    pub direction: Option<Vec2>,
+}
+
+impl Elements<'_, '_> {
+    /// What the block says of its element.
+    pub(super) fn item(&self, free: &mut Free, head: FkHead, w: &Words, said: &Data) -> Outcome<Item> {
+        let plane = self.plane;
         if !w.axes.known().without(plane_axes(plane)).is_empty() {
             return self.core.refuse(w.axes_span, codes::P1003::moves_in_working_plane(&name(head)));
         }
@@ -220,9 +223,7 @@ impl Run<'_> {
         match free.pole {
             Some(pole) => item.pole = pole,
             None if polar.iter().any(Option::is_some) => {
-                return self
-                    .core
-                    .refuse(self.core.block_span(), codes::K2101::polar_words_of_need_pole_of_free(&name(head)));
+                return self.core.refuse(Where::Block, codes::K2101::polar_words_of_need_pole_of_free(&name(head)));
             }
             None => {}
         }
@@ -230,7 +231,7 @@ impl Run<'_> {
     }
 
     /// R, LEN, CCA, D and DP.
-    fn sizes(&mut self, item: &mut Item, w: &Words, said: &Data) -> Outcome {
+    fn sizes(&self, item: &mut Item, w: &Words, said: &Data) -> Outcome {
         item.length = said.value(Key::Length);
         item.radius = w.radius;
         let radius = w.radius.map(|radius| (radius, w.radius_span));
@@ -254,13 +255,13 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn wrong<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
-        let text = self.word_text(span);
+    fn wrong<T>(&self, span: Span, what: &str) -> Outcome<T> {
+        let text = self.core.word_text(span);
         self.core.refuse(span, codes::P1004::word_lacks(&text, &what))
     }
 
-    fn end_of_element(&mut self, item: &mut Item, free: &Free, w: &Words, said: &Data) -> Outcome {
-        let (first, second, _) = self.st.plane().axes();
+    fn end_of_element(&self, item: &mut Item, free: &Free, w: &Words, said: &Data) -> Outcome {
+        let (first, second, _) = self.plane.axes();
         let axis = |index: usize| {
             let axis = Axis::ALL[index];
             w.axes.get(axis).map(|value| (value, w.incremental.contains(axis)))
@@ -284,14 +285,11 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn center_of_element(&mut self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
+    fn center_of_element(&self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
         for part in [Part::First, Part::Second, Part::Radius, Part::Angle] {
             let absolute = said.get(Key::Center { part, incremental: false });
             let incremental = said.get(Key::Center { part, incremental: true });
-            if let (Some(_), Some(twice)) = (absolute, incremental) {
-                return self.wrong(twice.span, "says again what another word of the block says");
-            }
-            let value = absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true)));
+            let value = self.one_of(absolute, incremental)?;
             let from = said.get(Key::CenterFrom(part));
             let given = self.given(free, value, from, true)?;
             if let (Some(Given { from: Base::Start, .. }), Some(said)) = (given, incremental) {
@@ -307,17 +305,22 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn direction_of_element(&mut self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
-        let absolute = said.get(Key::Direction { incremental: false });
-        let incremental = said.get(Key::Direction { incremental: true });
+    /// A value that two words may give; true for the incremental one.
+    fn one_of(&self, absolute: Option<&Said>, incremental: Option<&Said>) -> Outcome<Option<(f64, bool)>> {
         if let (Some(_), Some(twice)) = (absolute, incremental) {
             return self.wrong(twice.span, "says again what another word of the block says");
         }
-        let value = absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true)));
+        Ok(absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true))))
+    }
+
+    fn direction_of_element(&self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
+        let absolute = said.get(Key::Direction { incremental: false });
+        let incremental = said.get(Key::Direction { incremental: true });
+        let value = self.one_of(absolute, incremental)?;
         item.angle = self.given(free, value, said.get(Key::DirectionFrom), false)?;
         if (item.smooth || incremental.is_some_and(|_| said.get(Key::DirectionFrom).is_none()))
             && free.queue.is_empty()
-            && self.last_direction().is_none()
+            && self.direction.is_none()
         {
             let span = incremental.map_or(self.core.block_span(), |said| said.span);
             return self.core.refuse(span, codes::K3004::direction_of_element_before_is_not_known());
@@ -342,7 +345,7 @@ impl Run<'_> {
     }
 
     /// P1 to P3 and PD.
-    fn points(&mut self, item: &mut Item, said: &Data) -> Outcome {
+    fn points(&self, item: &mut Item, said: &Data) -> Outcome {
         for point in 0..3 {
             let coordinate = |part| said.get(Key::Through(point, part));
             item.through[point] = match (coordinate(Part::First), coordinate(Part::Second)) {
@@ -359,7 +362,7 @@ impl Run<'_> {
             (None, None, None) => {}
             (x, y, apart) => {
                 let span = x.or(y).or(apart).map_or(self.core.block_span(), |said| said.span);
-                let [first, second] = self.letters();
+                let [first, second] = self.letters;
                 return self.incomplete(span, &format!("PD{first}, PD{second} and D together"));
             }
         }
@@ -367,7 +370,7 @@ impl Run<'_> {
     }
 
     /// CLSD+ and CLSD-.
-    fn closing(&mut self, item: &mut Item, free: &mut Free, said: &Data) -> Outcome {
+    fn closing(&self, item: &mut Item, free: &mut Free, said: &Data) -> Outcome {
         if let Some(ends) = said.get(Key::Closed(false)) {
             item.closes = free.closes.take().map(|(serial, _)| serial).filter(|serial| free.window.knows(*serial));
             if item.closes.is_none() {
@@ -386,14 +389,14 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn incomplete<T>(&mut self, span: Span, needs: &str) -> Outcome<T> {
-        let text = self.word_text(span);
+    fn incomplete<T>(&self, span: Span, needs: &str) -> Outcome<T> {
+        let text = self.core.word_text(span);
         self.core.refuse(span, codes::P1004::needs(&text, &needs))
     }
 
     /// A value, and what it counts from.
     fn given(
-        &mut self,
+        &self,
         free: &Free,
         value: Option<(f64, bool)>,
         from: Option<&Said>,
@@ -415,17 +418,17 @@ impl Run<'_> {
                 Some(Given { value, from: Base::Element(serial) })
             }
             (Some((_, false)) | None, Some(from)) => {
-                let text = self.word_text(from.span);
+                let text = self.core.word_text(from.span);
                 return self.core.refuse(from.span, codes::K3004::belongs_to_incremental_word(&text));
             }
         })
     }
 
     /// The element of a block number.
-    fn referred(&mut self, free: &Free, said: &Said) -> Outcome<Serial> {
+    fn referred(&self, free: &Free, said: &Said) -> Outcome<Serial> {
         debug_assert!(said.key.is_reference(), "a block number");
         let number = Some(said.value).filter(|value| value.fract() == 0.0 && (0.0..1e6).contains(value));
-        let text = self.word_text(said.span);
+        let text = self.core.word_text(said.span);
         if let Some(number) = number
             && free.is_twice(number as u32)
         {
@@ -441,8 +444,7 @@ impl Run<'_> {
     }
 
     fn unconfirmed(&self, span: Span, what: &str, help: &str) {
-        let text = self.word_text(span);
-        self.core
-            .report(codes::K8024::no_manual_at_hand_says(&text, &what).at(self.core.loc(span)).help(help.to_owned()));
+        let text = self.core.word_text(span);
+        self.core.say(span, codes::K8024::no_manual_at_hand_says(&text, &what).help(help.to_owned()));
     }
 }
