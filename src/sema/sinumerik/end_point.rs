@@ -45,7 +45,9 @@ impl Channel<'_> {
                 };
                 return self.core.refuse(given.span, codes::S2061::is_no_rotary_axis(&axis.letter()).alarm(alarm));
             }
-            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return self.core.does_not_fit(given.span),
+            Mode::Quick | Mode::PerMinute | Mode::PerTurn => {
+                return self.core.refuse(given.span, super::words::misfit());
+            }
         };
         let value = self.length(axis, given, incremental)?;
         if incremental { Ok(self.increment_base(axis, given.span)? + value) } else { Ok(value) }

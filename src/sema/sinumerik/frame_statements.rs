@@ -28,7 +28,7 @@ impl Channel<'_> {
                 }
                 w.s.clear();
                 w.beside.left_out.clear();
-                self.core.limits_are_left_out(span);
+                self.core.say_once(span, codes::S8013::working_area_limits());
             }
             GCode::G58 | GCode::G59 => self.axial_shift(code, span, w)?,
             _ => {
@@ -57,7 +57,7 @@ impl Channel<'_> {
         self.frame_is_free(span)?;
         let rpl = w.take(Address::Rpl);
         if let Some(rpl) = rpl.filter(|_| !matches!(code, GCode::ROT | GCode::AROT)) {
-            return self.core.does_not_fit(rpl.span);
+            return self.core.refuse(rpl.span, super::words::misfit());
         }
         let bare = w.axes.is_empty() && rpl.is_none();
         let frame = match code {
@@ -170,7 +170,7 @@ impl Core<'_> {
     pub(super) fn parameter_of_frame(&self, given: Given) -> Outcome {
         match given.mode {
             Mode::Plain | Mode::Ac | Mode::Ic => Ok(()),
-            _ => self.misplaced_modifier(given.span),
+            _ => self.refuse(given.span, super::words::misplaced_modifier()),
         }
     }
 

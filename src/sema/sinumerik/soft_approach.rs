@@ -158,7 +158,7 @@ impl Channel<'_> {
         };
         let (safe, plane) = match (height(w.take(Address::Discl)), height(w.take(Address::Disrp))) {
             (Ok(safe), Ok(plane)) => (safe, plane),
-            (Err(span), _) | (_, Err(span)) => return self.core.misplaced_modifier(span).and(Err(Reported)),
+            (Err(span), _) | (_, Err(span)) => return self.core.refuse(span, super::words::misplaced_modifier()),
         };
         let infeed = match w.take(Address::Fad) {
             Some(fad) if fad.value <= 0.0 => {

@@ -232,7 +232,7 @@ impl Channel<'_> {
                     return self.core.refuse(given.span, codes::S2045::where_spindle_stands_from_which_spos());
                 }
             },
-            _ => return self.core.does_not_fit(given.span),
+            _ => return self.core.refuse(given.span, super::words::misfit()),
         };
         let angle = from + given.value;
         let angle = angle - 360.0 * libm::floor(angle / 360.0);
@@ -250,7 +250,7 @@ impl Channel<'_> {
             Mode::Ic => {
                 return self.core.refuse(given.span, codes::S2045::where_spindle_stands(&n));
             }
-            _ => return self.core.does_not_fit(given.span),
+            _ => return self.core.refuse(given.span, super::words::misfit()),
         }
         self.st.spindles.set_turn_of(n, None);
         self.send_spindle(n, Spindle::Orient(super::rotary::reduced(given.value)));

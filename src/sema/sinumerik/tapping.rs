@@ -321,7 +321,7 @@ impl Channel<'_> {
             return self.core.refuse(s.span, codes::S2045::speed_s_is_negative_so_sign(&s.value));
         }
         match [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().find_map(|address| w.get(*address)) {
-            Some(given) => self.core.does_not_fit(given.span),
+            Some(given) => self.core.refuse(given.span, super::words::misfit()),
             None => Ok(()),
         }
     }
