@@ -4,12 +4,14 @@
 
 use crate::diag::{Fault, codes};
 use crate::ir::contour::Path;
-use crate::machine::Axis;
-use crate::parser::sinumerik::ast::Block;
+use crate::machine::{Axis, AxisSet};
+use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
+use super::axis_names::NamedAxis;
 use super::g_groups::{GCode, Group};
-use super::vocabulary::Address;
+use super::names::Names;
+use super::vocabulary::{Address, Meaning};
 use super::words::Words;
 use super::{Channel, Outcome, Reported};
 
@@ -27,6 +29,45 @@ pub(super) const ARC_ADDRESSES: [Address; 9] = [
 ];
 
 impl Channel<'_> {
+    /// After an error nobody knows where the axes of the block are.
+    pub(super) fn lose_block(&mut self, names: &mut Names, words: &Words, block: &Block) {
+        let of_tap = self.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
+        self.st.taps.block_is_refused(of_tap);
+        let mut axes = words.axes;
+        for word in &block.words {
+            let named = match word.target {
+                Target::Letter(letter) => self.axis_names.letter(letter),
+                Target::Numbered(_, _, name) | Target::Name(name) => match names.meaning(name, self) {
+                    Meaning::Axis(named) => Some(named),
+                    _ => None,
+                },
+                Target::Indexed(..) => {
+                    axes = axes.union(AxisSet::MAIN);
+                    None
+                }
+                Target::System(_) => None,
+            };
+            if let Some(NamedAxis { axis: Some(axis), .. }) = named {
+                axes.insert(axis);
+            }
+        }
+        let more = [Address::Ap, Address::Rp, Address::Ang, Address::Ar, Address::F];
+        if ARC_ADDRESSES.iter().chain(&more).any(|address| words.get(*address).is_some()) {
+            axes = axes.union(AxisSet::MAIN);
+        }
+        if words.get(Address::F).is_some() {
+            self.st.feed.lose();
+        }
+        if words.get(Address::Ang).is_some() {
+            self.st.pair.lose();
+        }
+        if !axes.is_empty() {
+            self.st.position.lose(axes);
+            self.st.pair.drop_first();
+            self.lost();
+        }
+    }
+
     // Motion.
 
     /// The motion of the block. True if axes moved along a path.

@@ -3,18 +3,15 @@
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
 use crate::diag::codes;
-use crate::ir::Function;
-use crate::machine::AxisSet;
-use crate::parser::sinumerik::ast::{Block, Target};
+use crate::parser::sinumerik::ast::Block;
 
-use super::axis_names::NamedAxis;
-use super::block::ARC_ADDRESSES;
-use super::g_groups::{GCode, Group};
+use super::g_functions::Whole;
+use super::g_groups::Group;
 use super::line::{Line, NextText};
 use super::procedures::Left;
-use super::vocabulary::{Address, Meaning};
+use super::vocabulary::Address;
 use super::words::Words;
-use super::{Outcome, Reported, Run, levels};
+use super::{Outcome, Run};
 
 impl Run<'_> {
     /// Sorts the words of a block and carries them out; a text that is to be executed next comes back.
@@ -32,45 +29,6 @@ impl Run<'_> {
         }
         self.channel.core.begins_executing();
         self.run_words_of(words, line.block).map(|()| None)
-    }
-
-    /// After an error nobody knows where the axes of the block are.
-    pub(super) fn lose_block(&mut self, words: &Words, block: &Block) {
-        let of_tap = self.channel.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
-        self.channel.st.taps.block_is_refused(of_tap);
-        let mut axes = words.axes;
-        for word in &block.words {
-            let named = match word.target {
-                Target::Letter(letter) => self.channel.axis_names.letter(letter),
-                Target::Numbered(_, _, name) | Target::Name(name) => match self.meaning(name) {
-                    Meaning::Axis(named) => Some(named),
-                    _ => None,
-                },
-                Target::Indexed(..) => {
-                    axes = axes.union(AxisSet::MAIN);
-                    None
-                }
-                Target::System(_) => None,
-            };
-            if let Some(NamedAxis { axis: Some(axis), .. }) = named {
-                axes.insert(axis);
-            }
-        }
-        let more = [Address::Ap, Address::Rp, Address::Ang, Address::Ar, Address::F];
-        if ARC_ADDRESSES.iter().chain(&more).any(|address| words.get(*address).is_some()) {
-            axes = axes.union(AxisSet::MAIN);
-        }
-        if words.get(Address::F).is_some() {
-            self.channel.st.feed.lose();
-        }
-        if words.get(Address::Ang).is_some() {
-            self.channel.st.pair.lose();
-        }
-        if !axes.is_empty() {
-            self.channel.st.position.lose(axes);
-            self.channel.st.pair.drop_first();
-            self.channel.lost();
-        }
     }
 
     /// The words of a block that holds no call.
@@ -92,8 +50,14 @@ impl Run<'_> {
         {
             return self.channel.measures_beside(probe, span);
         }
-        if self.codes_of_block(w)? {
-            return Ok(());
+        match self.channel.codes_of_block(w)? {
+            Whole::No => {}
+            Whole::Done => return Ok(()),
+            Whole::Nonmodal { moved } => {
+                self.late_functions(w)?;
+                let goes_on = moved && !self.channel.core.has_ended();
+                return if goes_on { self.call_modal() } else { Ok(()) };
+            }
         }
         if self.channel.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
             self.channel.only_tapping(w)?;
@@ -123,54 +87,11 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The codes of a block; true if one of them is the whole block.
-    fn codes_of_block(&mut self, w: &mut Words) -> Outcome<bool> {
-        if w.codes.is_empty() && w.diameter.is_none() && w.dynamics.is_none() && !w.smoothing.is_given() {
-            return Ok(false);
-        }
-        self.channel.core.check_codes(w)?;
-        self.channel.modal_codes(w)?;
-        if let Some((code, span)) = w.code_of(Group::Nonmodal) {
-            let moved = self.channel.nonmodal_block(code, span, w)?;
-            self.late_functions(w)?;
-            if moved && !self.channel.core.has_ended() {
-                self.call_modal()?;
-            }
-            return Ok(true);
-        }
-        if let Some((code, span)) = w.code_of(Group::Frame) {
-            return self.channel.frame_block(code, span, w).map(|()| true);
-        }
-        if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
-            return self.channel.buffer_code(code, span, w).map(|()| true);
-        }
-        Ok(false)
-    }
-
     /// M functions that stop the program or end it.
     fn late_functions(&mut self, w: &Words) -> Outcome {
         for m in &w.m {
-            if matches!(m.number, 0..=2 | 17 | 30) {
-                self.channel.tapping_ends();
-            }
-            match m.number {
-                0 => self.channel.function(Function::Stop),
-                1 => self.channel.function(Function::OptionalStop),
-                2 | 17 | 30 => {
-                    self.channel.core.end_is_whole();
-                    if !levels::in_main(&self.channel.core.levels) {
-                        self.leave_program();
-                        continue;
-                    }
-                    if self.channel.ends_inside_contour() {
-                        return Err(Reported);
-                    }
-                    let done = self.channel.pending_must_be_done(m.span);
-                    self.channel.function(Function::End { rewind: m.number == 30 });
-                    self.channel.core.stop_run();
-                    done?;
-                }
-                _ => {}
+            if self.channel.late_function(*m)? {
+                self.leave_program();
             }
         }
         Ok(())

@@ -3,9 +3,8 @@
 //! Source: S 5.6 (docs/sources.md).
 
 use crate::diag::codes;
-use crate::machine::settings::Leaves;
 use crate::machine::{AxisSet, StandIn};
-use crate::parser::sinumerik::ast::{Args, CallForm, Formula, Op};
+use crate::parser::sinumerik::ast::{Args, CallForm, Op};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
@@ -24,20 +23,36 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     pub(super) fn call_form(&mut self, form: CallForm, line: Line<'_>) -> Outcome<Option<NextText>> {
         let span = line.block.span;
+        let named = match form {
+            CallForm::Text(formula) | CallForm::External(formula) => Some(formula),
+            CallForm::Section { program, .. } => program,
+            CallForm::Path { .. } | CallForm::Modal { .. } | CallForm::ModalOff | CallForm::Iso => None,
+        };
+        // `CALL "NAME"`; `CALL NAME` means a text variable, or a program of that name.
+        let name = match named.map(|formula| (formula, line.ops(formula))) {
+            None => String::new(),
+            Some((_, [Op::Name(name, _)])) if self.vars.find(*name).is_none() => {
+                self.channel.core.symbols.name(*name).to_owned()
+            }
+            Some((formula, _)) => match self.eval(formula, line)? {
+                Val::Text(text) if !text.is_empty() => String::from_utf8_lossy(&text).into_owned(),
+                other => {
+                    let fault = codes::P2024::name_of_program_is_text(&other.what());
+                    return self.channel.core.refuse(formula.span, fault);
+                }
+            },
+        };
         match form {
             CallForm::Text(formula) | CallForm::External(formula) => {
-                let name = self.program_name(formula, line)?;
                 return self.call_by_name(&name, formula.span, Vec::new(), 1);
             }
             CallForm::Section { program, from, to } => {
+                let core = &mut self.channel.core;
                 let unit = match program {
-                    Some(formula) => {
-                        let name = self.program_name(formula, line)?;
-                        self.units.find_program(&mut self.channel.core, &name, formula.span)?
-                    }
-                    None => self.channel.core.level().frame.unit,
+                    Some(formula) => self.units.find_program(core, &name, formula.span)?,
+                    None => core.level().frame.unit,
                 };
-                let part = self.units.called_section(&mut self.channel.core, unit, from, to, span)?;
+                let part = self.units.called_section(core, unit, from, to, span)?;
                 self.call(unit, Vec::new(), 1, false, Some(part))?;
             }
             CallForm::Path { path, args } => {
@@ -56,19 +71,6 @@ impl Run<'_> {
             }
         }
         Ok(None)
-    }
-
-    /// `CALL "NAME"`; `CALL NAME` means a text variable, or a program of that name.
-    fn program_name(&mut self, formula: Formula, line: Line<'_>) -> Outcome<String> {
-        if let [Op::Name(name, _)] = line.ops(formula)
-            && self.vars.find(*name).is_none()
-        {
-            return Ok(self.channel.core.symbols.name(*name).to_owned());
-        }
-        match self.eval(formula, line)? {
-            Val::Text(text) if !text.is_empty() => Ok(String::from_utf8_lossy(&text).into_owned()),
-            other => self.channel.core.refuse(formula.span, codes::P2024::name_of_program_is_text(&other.what())),
-        }
     }
 
     /// Calls the program `name`, or does what stands for it: what then remains is a text of feed and spindle.
@@ -110,7 +112,7 @@ impl Run<'_> {
                     arguments: !arguments.is_empty(),
                     tool_waits: tool.waiting().is_some() || tool.waits_unnamed,
                 };
-                let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
+                let known = self.names.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
                 let help = if known { call.help_of_word() } else { call.help() };
                 self.units.program_missing(core, &plain, nowhere, &help, span)
             }
@@ -131,7 +133,7 @@ impl Run<'_> {
         if let Some(result) = self.modal_machining_cycle(&word, args, line) {
             return result;
         }
-        if let Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) = self.vocabulary.get(&word[..])
+        if let Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) = self.names.vocabulary.get(&word[..])
             && !self.units.own_program(&mut self.channel.core, &word)
         {
             let help = if cycles::is_built(&word) {
@@ -145,28 +147,10 @@ impl Run<'_> {
         let arguments = self.arguments(Some(args), line)?;
         let plain = without_extension(&word);
         if let Some(stand_in) = self.units.stand_in(&mut self.channel.core, plain) {
-            return self.modal_stand_in(plain, &stand_in, span, &arguments);
+            return self.channel.modal_stand_in(plain, &stand_in, span, &arguments);
         }
         let unit = self.find_called(&word, span, &arguments)?;
         self.channel.st.modal_call.set_program(unit, arguments);
-        Ok(())
-    }
-
-    /// What stands for a program behind MCALL: only one that does nothing can, after each move.
-    fn modal_stand_in(&mut self, name: &str, stand_in: &StandIn, span: Span, arguments: &[Argument]) -> Outcome {
-        let channel = &mut self.channel;
-        channel.st.modal_call.end();
-        if matches!(stand_in, StandIn::Change(_)) {
-            return channel.core.refuse(span, codes::S2043::changes_tool(&name));
-        }
-        let measures = cycles::measures(name);
-        if !measures && channel.core.job.settings.left_by(name) != Leaves::default() {
-            return channel.core.refuse(span, codes::S2043::mcall_calls_after_each_move(&name));
-        }
-        channel.leave_call_out(name, span, arguments)?;
-        if !measures {
-            channel.leave_technology(name, span);
-        }
         Ok(())
     }
 }

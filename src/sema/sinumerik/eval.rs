@@ -330,15 +330,25 @@ impl Run<'_> {
             return Ok(Val::Int(i32::try_from(number).unwrap_or(0)));
         }
         let Some((word, function)) = formula_functions::find(word) else {
-            let fault = match self.meaning(name) {
+            let fault = match self.names.meaning(name, &self.channel) {
                 Meaning::Unknown => codes::S2001::there_is_no_function(&self.channel.core.symbols.name(name)),
-                _ => self.misused_word(name),
+                _ => self.names.misused(name, &self.vars, &self.channel),
             };
             return self.channel.core.refuse(span, fault);
         };
         let args = if args == [Val::Missing] { &[] } else { args };
         let made = match function {
-            FormulaFunction::Program if matches!(word, "ISVAR" | "ISFILE") => return self.is_known(word, args, span),
+            FormulaFunction::Program if matches!(word, "ISVAR" | "ISFILE") => {
+                let core = &mut self.channel.core;
+                let wanted = core.accept(span, asked_name(word, args))?;
+                let there = if word == "ISFILE" {
+                    let there = self.units.is_file(core, &wanted);
+                    core.accept(span, there.map_err(|error| codes::P0105::file_cannot_be_read(&error)))?
+                } else {
+                    self.vars.is_known(&wanted, &mut core.symbols)
+                };
+                return Ok(Val::Bool(there));
+            }
             FormulaFunction::Program if word == "AXNAME" => return self.channel.axis_of_text(args, span),
             FormulaFunction::Program => {
                 let st = &self.channel.st;
@@ -352,25 +362,16 @@ impl Run<'_> {
         }
         self.channel.core.accept(span, made.map_err(|error| error.fault(word)))
     }
+}
 
-    /// ISVAR and ISFILE.
-    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
-        let core = &mut self.channel.core;
-        let [Val::Text(text)] = args else {
-            return core.refuse(span, codes::S2021::takes_text(&name));
-        };
-        let wanted = String::from_utf8_lossy(text);
-        if name == "ISFILE" {
-            return match self.units.is_file(core, &wanted) {
-                Ok(there) => Ok(Val::Bool(there)),
-                Err(error) => core.refuse(span, codes::P0105::file_cannot_be_read(&error)),
-            };
-        }
-        if wanted.trim_start().starts_with('$') {
-            return core.refuse(span, codes::P2023::whether_control_has_is_known_on_machine(&wanted));
-        }
-        Ok(Val::Bool(self.vars.is_known(&wanted, &mut core.symbols)))
+/// What ISVAR and ISFILE ask for.
+fn asked_name(function: &str, args: &[Val]) -> Result<String, crate::diag::Fault> {
+    let [Val::Text(text)] = args else { return Err(codes::S2021::takes_text(&function)) };
+    let wanted = String::from_utf8_lossy(text).into_owned();
+    if function == "ISVAR" && wanted.trim_start().starts_with('$') {
+        return Err(codes::P2023::whether_control_has_is_known_on_machine(&wanted));
     }
+    Ok(wanted)
 }
 
 fn joined(machine: &mut Machine) -> Result<Val, Stop> {

@@ -7,12 +7,13 @@ use crate::sema::cycle::given::{Given, Value};
 use crate::sema::cycle::row;
 use crate::text::Span;
 
+use super::called_contours::{check_elements, named, unpublished};
 use super::cycles::{self, Cycle as Row, Work};
 use super::line::Line;
 use super::modal_call::ModalCycle;
 use super::value::{Val, to_text};
 use super::words::CallWord;
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// A value of the language as the argument of a parameter.
 fn value_of(value: &Val, kind: row::Kind) -> Value {
@@ -40,11 +41,7 @@ impl Run<'_> {
             return None;
         }
         let given = self.given_of(row, call.args, call.span, line);
-        let result = given.and_then(|given| {
-            self.channel.core.begins_executing();
-            self.channel.takes_cycle(row, &given)?;
-            self.run_cycle(row, &given)
-        });
+        let result = given.and_then(|given| self.run_cycle(row, &given));
         if result.is_err() {
             self.channel.st.position.lose(AxisSet::ALL);
             self.channel.lost();
@@ -72,6 +69,8 @@ impl Run<'_> {
     }
 
     fn run_cycle(&mut self, row: &'static Row, given: &Given) -> Outcome {
+        self.channel.core.begins_executing();
+        self.channel.takes_cycle(row, given)?;
         match &row.work {
             Work::Hole(_) => {
                 let hole = self.channel.hole_of(row, given)?;
@@ -82,8 +81,25 @@ impl Run<'_> {
                 let contours = self.contours_of(given, *contour)?;
                 self.channel.run_plan(row, given, |call| plan(call, &contours))
             }
-            Work::NamesContour => self.contour_call(given),
-            Work::Unpublished(cycle) => self.unpublished_cycle(given, *cycle),
+            Work::NamesContour => {
+                let core = &mut self.channel.core;
+                let call = self.units.contour_of_call(core, given)?;
+                core.accept(given.place, self.contours.add(&call).map_err(|fault| fault.of(&given.called)))?;
+                // What is wrong with it shows here, also where no cycle follows that is built.
+                let made = self.capture(&call)?;
+                check_elements(&call, &made).map_err(|found| {
+                    self.channel.core.report(*found);
+                    Reported
+                })
+            }
+            // Its tracks are not published.
+            Work::Unpublished(source) => {
+                let contours = self.contours_of(given, *source)?;
+                self.channel
+                    .core
+                    .report(unpublished(given, &contours).at(self.channel.core.loc(given.place)).here(named(given)));
+                Err(Reported)
+            }
             Work::Nothing => Ok(()),
         }
     }

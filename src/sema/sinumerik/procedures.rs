@@ -72,7 +72,11 @@ impl Run<'_> {
                 return self.channel.core.refuse(call.span, call_not_alone());
             }
             self.channel.core.begins_executing();
-            return self.coupling(beside, call, line).map(|()| Left::Nothing);
+            let result = self.coupling(beside, call, line);
+            if result.is_err() {
+                self.channel.lose_all();
+            }
+            return result.map(|()| Left::Nothing);
         }
         if let Meaning::Procedure(procedure) = call.meaning {
             w.calls.passes = passes;
@@ -110,7 +114,7 @@ impl Run<'_> {
         if w.has_other() {
             // Words beside the name of a program; of an unknown word most often.
             let own = self.units.own_program(core, &name);
-            let fault = if own { call_not_alone() } else { unknown_word(&name, self.vocabulary) };
+            let fault = if own { call_not_alone() } else { unknown_word(&name, self.names.vocabulary) };
             return core.refuse(call.span, fault);
         }
         if let Some(fault) = no_name_of_program(&name, call.meaning)
