@@ -1,4 +1,4 @@
-//! The motion of a block of words.
+//! Blocks of words: modal codes, then technology, then the motion.
 //!
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
@@ -9,6 +9,7 @@ use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::g_functions::Whole;
 use super::g_groups::{GCode, Group};
 use super::names::Names;
 use super::vocabulary::{Address, Meaning};
@@ -28,7 +29,58 @@ pub(super) const ARC_ADDRESSES: [Address; 9] = [
     Address::Turn,
 ];
 
+/// What is to be done behind the words of a block: M functions, and what runs modally.
+pub(super) struct Behind {
+    /// Axes moved along a path.
+    pub moved: bool,
+    /// A control may run what is modal behind it, though no axis is named.
+    pub triggers: bool,
+}
+
 impl Channel<'_> {
+    /// Carries out the words of a block that holds no call; `None` where nothing acts behind it.
+    pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<Behind>> {
+        if self.st.taps.are_open() {
+            self.beside_taps(w);
+        }
+        if self.st.threads.are_open() {
+            self.beside_threads(w);
+        }
+        if self.is_capturing() {
+            self.words_in_contour(w)?;
+        }
+        let triggers = self.st.modal_call.cycle().is_some()
+            && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
+        if let Some(probe) = w.probe
+            && let Some((_, span)) =
+                [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
+        {
+            return self.measures_beside(probe, span).map(|()| None);
+        }
+        match self.codes_of_block(w)? {
+            Whole::No => {}
+            Whole::Done => return Ok(None),
+            Whole::Nonmodal { moved } => return Ok(Some(Behind { moved, triggers: false })),
+        }
+        if self.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
+            self.only_tapping(w)?;
+            self.tap_begins();
+        }
+        self.technology(w)?;
+        self.early_functions(w)?;
+        let corner_before = self.st.corners.open.site();
+        let moved = self.probed_motion(w, block)?;
+        if moved && self.st.corners.open.site() == corner_before {
+            self.st.corners.open.close();
+        }
+        self.block_behind_corner(moved)?;
+        if let Err((span, fault)) = w.leftover() {
+            return self.core.refuse(span, fault);
+        }
+        self.left_out_under_modal_call(w)?;
+        Ok(Some(Behind { moved, triggers }))
+    }
+
     /// After an error nobody knows where the axes of the block are.
     pub(super) fn lose_block(&mut self, names: &mut Names, words: &Words, block: &Block) {
         let of_tap = self.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
@@ -157,7 +209,7 @@ impl Channel<'_> {
     }
 
     /// The motion of the block, as far as the probe lets it be printed.
-    pub(super) fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
+    fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         match w.probe {
             Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false),
             Some(probe) => {

@@ -26,6 +26,14 @@ pub(super) struct Capture {
     name: String,
 }
 
+/// What ran up to its last block.
+pub(super) enum PartEnds {
+    /// A section of a repeat, which is over or goes round again.
+    Section,
+    /// A part of a program, which has to be left.
+    Program,
+}
+
 impl Capture {
     /// A contour above the levels of the call stack that are there.
     pub fn above(below: usize, name: &str) -> Box<Capture> {
@@ -45,6 +53,29 @@ impl Channel<'_> {
 
     pub(super) fn is_capturing(&self) -> bool {
         self.capture.is_some()
+    }
+
+    /// Ends the section, or its pass, that ran up to its last block; of a part of a program it only says so.
+    pub(super) fn section_ends(&mut self, at: u32) -> Option<PartEnds> {
+        let level = self.core.level();
+        let back = level.back;
+        match &mut level.frame.kind {
+            FrameKind::Section { from, stop, left } if at >= *stop || at < from.at => {
+                let from = *from;
+                let again = *left > 0;
+                if again {
+                    *left -= 1;
+                } else {
+                    self.core.levels.pop();
+                    self.level_ended();
+                }
+                // A file that was read once can be read again.
+                let _ = self.core.resume(if again { from } else { back });
+                Some(PartEnds::Section)
+            }
+            FrameKind::Program { stop: Some(stop), .. } if at >= *stop => Some(PartEnds::Program),
+            _ => None,
+        }
     }
 
     /// A level ended by itself: perhaps it was the contour.

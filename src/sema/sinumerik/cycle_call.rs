@@ -18,8 +18,10 @@ use crate::sema::run::Where;
 
 use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work};
 use super::g_groups::{GCode, Group};
+use super::levels::FrameKind;
 use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
+use super::vars::Argument;
 use super::{Channel, Outcome, Reported};
 use crate::ir::Side;
 
@@ -51,6 +53,21 @@ impl Channel<'_> {
             }
         }
         if matches!(row.work, Work::Hole(_)) { Ok(()) } else { self.asked(given, |call| call.meets_row(row)) }
+    }
+
+    /// Behind a block that moved: drills the modal cycle, or hands out the modal program, unless it is the one that moved.
+    pub(super) fn runs_modally(&mut self) -> Outcome<Option<(usize, Vec<Argument>)>> {
+        let is_modal = |kind: &FrameKind| matches!(kind, FrameKind::Program { modal: true, .. });
+        let inside = self.core.levels.iter().any(|level| is_modal(&level.frame.kind));
+        if !inside && self.st.modal_call.is_on() {
+            self.no_pair_under_a_modal_call()?;
+        }
+        if self.st.modal_call.cycle().is_some() {
+            self.tapping_ends();
+            return if inside { Ok(None) } else { self.drill_modal().map(|()| None) };
+        }
+        let program = self.st.modal_call.program().filter(|_| !inside);
+        Ok(program.map(|(unit, arguments)| (unit, arguments.to_vec())))
     }
 
     /// Runs a plan and carries out what it made.

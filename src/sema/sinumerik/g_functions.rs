@@ -8,7 +8,6 @@ use crate::machine::AxisSet;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
-use super::left_out::LeftOut;
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
 
@@ -99,11 +98,9 @@ impl Channel<'_> {
             _ => {
                 self.refused_code(code, span)?;
                 let curve_feed = self.core.job.settings.control.sinumerik.compensation.curve_feed;
-                match code.left_out(self.core.resolves(), curve_feed) {
-                    Some(LeftOut::Once(fault)) => self.core.say_once(span, fault),
-                    Some(LeftOut::Here(fault)) => self.core.report_new(fault.at(self.core.loc(span))),
-                    // Other blocks ask for it where it counts.
-                    None => {}
+                // Other blocks ask for the rest where it counts.
+                if let Some(said) = code.left_out(self.core.resolves(), curve_feed) {
+                    said.say(&self.core, span);
                 }
                 self.st.codes.activate(code);
             }

@@ -121,6 +121,7 @@ use crate::text::{Span, SplitRules};
 use super::run::unexecuted::Blocks;
 use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
+use capture::PartEnds;
 use channel::Channel;
 use externs::Externs;
 use lane::Lane;
@@ -295,7 +296,12 @@ impl<'a> Interpreter<'a> for Run<'a> {
     #[inline]
     fn level_ends(&mut self) -> bool {
         let at = self.channel.core.program().source.cursor.place().at;
-        if self.channel.core.levels.len() > 1 && self.ends_here(at) {
+        if self.channel.core.levels.len() > 1
+            && let Some(part) = self.channel.section_ends(at)
+        {
+            if matches!(part, PartEnds::Program) {
+                self.leave_program();
+            }
             self.channel.lane = Lane::Closed;
             return true;
         }
@@ -358,40 +364,20 @@ impl Run<'_> {
     }
 
     fn statement(&mut self, line: Line<'_>) -> Outcome {
-        let (block, text) = (line.block, line.text);
-        let core = &mut self.channel.core;
+        let block = line.block;
         match block.stmt {
-            Stmt::Empty | Stmt::Redef(_) => return Ok(()),
             Stmt::Words => return self.words_block(line),
-            Stmt::Header => {
-                let Some(ends) = self.units.header(core)? else { return Ok(()) };
-                self.end_of_program_text();
-                if ends.blocks_behind {
-                    let fault = codes::S2013::blocks_stand_behind_that_closes_program();
-                    return self.channel.core.refuse(Where::Block, fault);
-                }
-                return Ok(());
-            }
-            // A declaration that cannot be read is followed by others.
-            Stmt::Bad if declares(block.span.of(text)) => return Err(Reported),
-            Stmt::Bad => {
-                core.begins_executing();
-                // Without the head of a loop or branch nobody knows where the program goes on.
-                if scan(text, &mut core.symbols).structure.is_some() {
-                    core.stop_run();
-                }
-                self.channel.lose_all();
-                return Err(Reported);
-            }
-            Stmt::Def { kind, length, global } => return self.def_block(kind, length, global, line),
-            Stmt::Proc(_) => return self.proc_block(line),
-            Stmt::Extern(name) => return self.externs.declare(core, name, block),
-            Stmt::Define(span) => {
-                levels::program(&mut core.levels).declares = true;
-                return self.names.define_macro(span.of(text), span, &self.vars, &mut self.channel);
-            }
+            Stmt::Empty
+            | Stmt::Redef(_)
+            | Stmt::Header
+            | Stmt::Bad
+            | Stmt::Def { .. }
+            | Stmt::Proc(_)
+            | Stmt::Extern(_)
+            | Stmt::Define(_) => return self.declaration(line),
             _ => {}
         }
+        let core = &mut self.channel.core;
         core.begins_executing();
         match block.stmt {
             Stmt::IfJump => self.jump_by_arms(None, line),
@@ -420,6 +406,42 @@ impl Run<'_> {
             }
             Stmt::Sync(span) => self.synchronized_action(line, span),
             _ => self.structure(line),
+        }
+    }
+
+    /// Heads of programs, declarations, and what cannot be read.
+    fn declaration(&mut self, line: Line<'_>) -> Outcome {
+        let (block, text) = (line.block, line.text);
+        let core = &mut self.channel.core;
+        match block.stmt {
+            Stmt::Header => {
+                let Some(ends) = self.units.header(core)? else { return Ok(()) };
+                self.end_of_program_text();
+                if ends.blocks_behind {
+                    let fault = codes::S2013::blocks_stand_behind_that_closes_program();
+                    return self.channel.core.refuse(Where::Block, fault);
+                }
+                Ok(())
+            }
+            // A declaration that cannot be read is followed by others.
+            Stmt::Bad if declares(block.span.of(text)) => Err(Reported),
+            Stmt::Bad => {
+                core.begins_executing();
+                // Without the head of a loop or branch nobody knows where the program goes on.
+                if scan(text, &mut core.symbols).structure.is_some() {
+                    core.stop_run();
+                }
+                self.channel.lose_all();
+                Err(Reported)
+            }
+            Stmt::Def { kind, length, global } => self.def_block(kind, length, global, line),
+            Stmt::Proc(_) => self.proc_block(line),
+            Stmt::Extern(name) => self.externs.declare(core, name, block),
+            Stmt::Define(span) => {
+                levels::program(&mut core.levels).declares = true;
+                self.names.define_macro(span.of(text), span, &self.vars, &mut self.channel)
+            }
+            _ => Ok(()),
         }
     }
 

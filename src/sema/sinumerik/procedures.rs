@@ -10,6 +10,7 @@ use crate::parser::sinumerik::ast::Formula;
 use crate::text::Span;
 
 use super::beside_path::Beside;
+use super::cycles::Work;
 use super::line::{Line, NextText};
 use super::stand_in::NameOfCall;
 use super::vocabulary::{Meaning, Procedure};
@@ -154,8 +155,16 @@ impl Run<'_> {
         w: &mut Words,
         line: Line<'_>,
     ) -> Outcome<Option<NextText>> {
-        let name = self.channel.core.symbols.name(call.name).to_owned();
-        if let Some(result) = self.machining_cycle(&name, call, line) {
+        let core = &mut self.channel.core;
+        let name = core.symbols.name(call.name).to_owned();
+        let row = cycles::find(&name).filter(|row| !matches!(row.work, Work::Nothing));
+        if let Some(row) = row.filter(|_| !self.units.own_program(core, &name)) {
+            let given = self.given_of(row, call.args, call.span, line);
+            let result = given.and_then(|given| self.run_cycle(row, &given));
+            if result.is_err() {
+                self.channel.st.position.lose(AxisSet::ALL);
+                self.channel.lost();
+            }
             if w.has_other() {
                 return self.channel.core.refuse(call.span, call_not_alone());
             }

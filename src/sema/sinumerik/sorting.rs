@@ -21,6 +21,22 @@ fn interrupts(words: &Words) -> bool {
     words.calls.word.is_some_and(|call| call.meaning == Meaning::Procedure(Procedure::Interrupt))
 }
 
+/// Does the address take an axis in brackets, and a value?
+fn takes(indexed: Indexed, value: Value) -> [bool; 2] {
+    match indexed {
+        Indexed::Ax | Indexed::Pos | Indexed::Fa => [true, true],
+        Indexed::Override => [false, true],
+        Indexed::Dynamics => [false, !matches!(value, Value::None)],
+        Indexed::Polynomial => [false, false],
+        Indexed::DiameterOn
+        | Indexed::Diameter90
+        | Indexed::DiameterOff
+        | Indexed::DiameterChannel
+        | Indexed::Posa
+        | Indexed::CutAxis => [true, false],
+    }
+}
+
 impl Run<'_> {
     /// Sorts the words of the block.
     pub(super) fn sort_words(&mut self, words: &mut Words, line: Line<'_>) -> Outcome {
@@ -224,7 +240,12 @@ impl Run<'_> {
             }
         };
         match self.names.meaning(name, &self.channel) {
-            Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, line)?,
+            Meaning::Indexed(indexed) => {
+                let [axis, value] = takes(indexed, word.value);
+                let named = if axis { Some(self.axis_index(args, line)?) } else { None };
+                let given = if value { Some(self.given(word, line)?) } else { None };
+                self.channel.indexed_address(words, (indexed, word.span), named, given)?;
+            }
             Meaning::Address(address @ (Address::Lims | Address::Spos | Address::Sposa)) => {
                 let index = self.index_number(args, line)?;
                 let spindle = self.channel.core.accept(line.block.span, spindle(index))?;
@@ -297,25 +318,5 @@ impl Run<'_> {
         }
         self.channel.core.say_once(word.span, codes::S8168::arguments_of_measuring_cycles());
         Ok(Some(true))
-    }
-
-    fn indexed_address(
-        &mut self,
-        words: &mut Words,
-        indexed: Indexed,
-        args: Args,
-        word: &Word,
-        line: Line<'_>,
-    ) -> Outcome {
-        let named = match indexed {
-            Indexed::Override | Indexed::Dynamics | Indexed::Polynomial => None,
-            _ => Some(self.axis_index(args, line)?),
-        };
-        let given = match indexed {
-            Indexed::Ax | Indexed::Pos | Indexed::Fa | Indexed::Override => Some(self.given(word, line)?),
-            Indexed::Dynamics if !matches!(word.value, Value::None) => Some(self.given(word, line)?),
-            _ => None,
-        };
-        self.channel.indexed_address(words, (indexed, word.span), named, given)
     }
 }

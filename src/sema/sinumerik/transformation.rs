@@ -116,11 +116,14 @@ impl Channel<'_> {
         Ok(())
     }
 
-    /// `TRAFOOF`; false where nothing is on.
-    pub(super) fn transformation_off(&mut self, span: Span) -> Outcome<bool> {
+    /// `TRAFOOF`
+    pub(super) fn transformation_off(&mut self, span: Span) -> Outcome {
         let on = self.st.transformation.is_some();
         self.transformation_ends(span)?;
-        Ok(on)
+        if !on {
+            self.core.say_once(span, codes::S8103::words_that_only_steer_control());
+        }
+        Ok(())
     }
 
     fn transformation_ends(&mut self, span: Span) -> Outcome {
