@@ -1,15 +1,14 @@
-//! Assignments to variables, arrays and system variables; SET and REP.
+//! Assignments to variables, arrays and system variables.
 //!
 //! Source: S 5.1 and 5.6 (docs/sources.md).
 
 use crate::diag::codes;
-use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Target, Value, Word};
+use crate::parser::sinumerik::ast::{Base, Target, Value, Word};
 use crate::text::Span;
 
-use super::conversions::Fill;
 use super::line::Line;
-use super::value::{Val, whole};
-use super::{Outcome, Reported, Run};
+use super::value::Val;
+use super::{Outcome, Run};
 
 impl Run<'_> {
     /// `target = formula`
@@ -49,49 +48,4 @@ impl Run<'_> {
             _ => self.vars.write_target(target, &args, &value, &self.channel, span),
         }
     }
-
-    /// The values of `SET(…)`, `(…)` or `REP(…)`; `None` for anything else.
-    pub(super) fn list_of(&mut self, formula: Formula, line: Line<'_>) -> Outcome<Option<Fill>> {
-        let (inner, repeats) = match line.ops(formula) {
-            [inner @ .., Op::List(_)] => (inner, false),
-            [inner @ .., Op::Call(name, _, _)] => match self.channel.core.symbols.name(*name) {
-                "SET" => (inner, false),
-                "REP" => (inner, true),
-                _ => return Ok(None),
-            },
-            _ => return Ok(None),
-        };
-        // Values that stand one behind the other: what is left on the stack.
-        let mut wrapped = Block { ops: inner.to_vec(), ..Block::default() };
-        wrapped.ops.push(Op::List(depth(inner)));
-        let all = Formula { from: 0, to: wrapped.ops.len() as u32, span: formula.span };
-        let Val::List(list) = self.eval(all, Line { block: &wrapped, text: line.text })? else { return Err(Reported) };
-        if !repeats {
-            return Ok(Some(Fill::Set(list.to_vec())));
-        }
-        let count = list.get(1).map(|value| value.number().and_then(whole).and_then(|n| usize::try_from(n).ok()));
-        match (list.first(), count) {
-            (_, Some(None)) => {
-                let fault = codes::S2017::rep_counts_elements_by_whole_number();
-                self.channel.core.refuse(formula.span, fault)
-            }
-            (Some(value), count) => Ok(Some(Fill::Repeat(value.clone(), count.flatten()))),
-            (None, _) => self.channel.core.refuse(formula.span, codes::S2017::rep_needs_value()),
-        }
-    }
-}
-
-/// How many values postfix operations leave.
-fn depth(ops: &[Op]) -> u32 {
-    let mut depth = 0u32;
-    for op in ops {
-        let used = match op {
-            Op::Index(_, n, _) | Op::Call(_, n, _) | Op::List(n) => *n,
-            Op::Unary(_) | Op::ToText => 1,
-            Op::Binary(_) | Op::Join | Op::Chain => 2,
-            _ => 0,
-        };
-        depth = (depth + 1).saturating_sub(used);
-    }
-    depth
 }

@@ -1,4 +1,4 @@
-//! Computes formulas: postfix operations over a stack of values.
+//! Computes formulas: postfix operations over a stack of values, and lists of them.
 //!
 //! Source: S 5.2 (docs/sources.md). Comparisons bind weakest; REAL values are equal within 1e-12 of their size.
 
@@ -7,14 +7,14 @@ use std::rc::Rc;
 
 use crate::diag::{Answer, codes};
 use crate::lexer::formula::Function;
-use crate::parser::sinumerik::ast::{Base, Formula, Op};
+use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::value::{At, Divisor, Fault, Formulas, SetBy, Stop, evaluate};
 use crate::text::Span;
 use crate::text::decode::readable;
 
 use super::axis_names::NamedAxis;
-use super::conversions::says_negative_half;
+use super::conversions::{Fill, says_negative_half};
 use super::formula_functions::{self, FormulaFunction};
 use super::frame_functions::frame_function;
 use super::frames::FrameValue;
@@ -230,6 +230,36 @@ impl Run<'_> {
         self.channel.core.accept(formula.span, whole(value).ok_or_else(fault))
     }
 
+    /// The values of `SET(…)`, `(…)` or `REP(…)`; `None` for anything else.
+    pub(super) fn list_of(&mut self, formula: Formula, line: Line<'_>) -> Outcome<Option<Fill>> {
+        let (inner, repeats) = match line.ops(formula) {
+            [inner @ .., Op::List(_)] => (inner, false),
+            [inner @ .., Op::Call(name, _, _)] => match self.channel.core.symbols.name(*name) {
+                "SET" => (inner, false),
+                "REP" => (inner, true),
+                _ => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        // Values that stand one behind the other: what is left on the stack.
+        let mut wrapped = Block { ops: inner.to_vec(), ..Block::default() };
+        wrapped.ops.push(Op::List(depth(inner)));
+        let all = Formula { from: 0, to: wrapped.ops.len() as u32, span: formula.span };
+        let Val::List(list) = self.eval(all, Line { block: &wrapped, text: line.text })? else { return Err(Reported) };
+        if !repeats {
+            return Ok(Some(Fill::Set(list.to_vec())));
+        }
+        let count = list.get(1).map(|value| value.number().and_then(whole).and_then(|n| usize::try_from(n).ok()));
+        match (list.first(), count) {
+            (_, Some(None)) => {
+                let fault = codes::S2017::rep_counts_elements_by_whole_number();
+                self.channel.core.refuse(formula.span, fault)
+            }
+            (Some(value), count) => Ok(Some(Fill::Repeat(value.clone(), count.flatten()))),
+            (None, _) => self.channel.core.refuse(formula.span, codes::S2017::rep_needs_value()),
+        }
+    }
+
     fn name_value(&mut self, name: Symbol, span: Span) -> Outcome<Val> {
         if let Some(value) = self.found_by_cycle(name, &[], span)? {
             return Ok(value);
@@ -372,6 +402,21 @@ fn asked_name(function: &str, args: &[Val]) -> Result<String, crate::diag::Fault
         return Err(codes::P2023::whether_control_has_is_known_on_machine(&wanted));
     }
     Ok(wanted)
+}
+
+/// How many values postfix operations leave.
+fn depth(ops: &[Op]) -> u32 {
+    let mut depth = 0u32;
+    for op in ops {
+        let used = match op {
+            Op::Index(_, n, _) | Op::Call(_, n, _) | Op::List(n) => *n,
+            Op::Unary(_) | Op::ToText => 1,
+            Op::Binary(_) | Op::Join | Op::Chain => 2,
+            _ => 0,
+        };
+        depth = (depth + 1).saturating_sub(used);
+    }
+    depth
 }
 
 fn joined(machine: &mut Machine) -> Result<Val, Stop> {

@@ -13,7 +13,7 @@ use super::measuring_data;
 use super::probe_state;
 use super::system::system_key;
 use super::vocabulary::{Address, Indexed, Meaning, Procedure};
-use super::words::{CallWord, Words};
+use super::words::{CallWord, Mode, Words};
 use super::{Outcome, Reported, Run};
 
 /// Does the block set an interrupt? The program it names is not called here.
@@ -79,7 +79,7 @@ impl Run<'_> {
             return self.tool_word(words, formula, word.span, line);
         }
         let given = self.given(word, line)?;
-        if b"GSPHL".contains(&letter) {
+        if given.mode != Mode::Plain && b"GSPHL".contains(&letter) {
             self.channel.core.accept(given.span, given.no_modifier())?;
         }
         if letter == b'R' {
