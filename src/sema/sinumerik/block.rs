@@ -94,8 +94,8 @@ impl Run<'_> {
         if self.channel.st.threads.are_open() {
             self.channel.beside_threads(w);
         }
-        if self.channel.is_capturing() {
-            self.channel.words_in_contour(w)?;
+        if let Some(capture) = &mut self.channel.capture {
+            capture.words(&self.channel.core, w)?;
         }
         let triggers = self.channel.st.modal_call.cycle().is_some()
             && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
@@ -195,7 +195,7 @@ impl Channel<'_> {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
-            self.suppressed_tool(w, span)?;
+            self.st.suppressed_tool(&self.core, w, span)?;
         }
         self.path_block(w, interpolation, polar, block.span).map(|()| true)
     }
@@ -224,7 +224,7 @@ impl Channel<'_> {
         }
         let corner = self.corner_words(w)?;
         if !matches!(interpolation, GCode::G0 | GCode::G1) {
-            self.only_lines_in_a_pair(span)?;
+            self.st.pair.only_lines(&self.core, &mut self.st.position, span)?;
         }
         match interpolation {
             GCode::G0 | GCode::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
@@ -258,7 +258,7 @@ impl Channel<'_> {
     /// Under D0 the control counts from the spindle nose, which the target cannot say.
     fn check_offsets(&self, w: &Words) -> Outcome {
         // A contour is a shape: no tool follows it.
-        let off = !self.is_capturing() && self.st.tool.is_without_offset();
+        let off = !self.capture.is_some() && self.st.tool.is_without_offset();
         if !off || self.st.offsets.in_machine() {
             return Ok(());
         }
@@ -281,7 +281,7 @@ impl Channel<'_> {
         if w.get(Address::Ang).is_some() || self.st.pair.is_open() {
             return self.angle_block(w, path, corner);
         }
-        let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
+        let end = if polar { self.polar_end(w)? } else { self.st.targets(&self.core, w)? };
         self.send(&end, path);
         Ok(())
     }

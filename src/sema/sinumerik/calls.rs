@@ -98,7 +98,9 @@ impl Run<'_> {
                     *left -= 1;
                 } else {
                     self.channel.core.levels.pop();
-                    self.channel.level_ended();
+                    if let Some(capture) = &mut self.channel.capture {
+                        capture.level_ended(self.channel.core.levels.len());
+                    }
                 }
                 // A file that was read once can be read again.
                 let _ = self.channel.core.resume(if again { from } else { back });
@@ -158,7 +160,7 @@ impl Run<'_> {
 
     /// The current program is over: M17, RET, its end of file.
     pub(super) fn leave_program(&mut self) {
-        if self.channel.ends_inside_contour() {
+        if self.channel.capture.as_ref().is_some_and(|capture| capture.ends_program(&self.channel.core)) {
             return;
         }
         while matches!(self.channel.core.level().frame.kind, FrameKind::Section { .. }) {
@@ -190,7 +192,9 @@ impl Run<'_> {
         }
         self.vars.leave();
         let _ = self.channel.core.leave();
-        self.channel.level_ended();
+        if let Some(capture) = &mut self.channel.capture {
+            capture.level_ended(self.channel.core.levels.len());
+        }
     }
 
     // Forms of calls.
@@ -309,7 +313,7 @@ impl Run<'_> {
             .iter()
             .any(|level| matches!(level.frame.kind, FrameKind::Program { modal: true, .. }));
         if !inside && self.channel.st.modal_call.is_on() {
-            self.channel.no_pair_under_a_modal_call()?;
+            self.channel.st.pair.under_no_modal_call(&self.channel.core, &mut self.channel.st.position)?;
         }
         if self.channel.st.modal_call.cycle().is_some() {
             self.channel.tapping_ends();

@@ -3,7 +3,7 @@
 //! The executor runs them as any other blocks – variables, loops, calls, stored contours, angles and corners included –
 //! and afterwards everything is what it was, variables too: when the control runs them, and how often, depends on the cycle.
 
-use crate::diag::{Label, codes};
+use crate::diag::{Fault, Label, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Counted, Where, step};
@@ -16,7 +16,7 @@ use super::state::State;
 use super::vars::Vars;
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
 
 /// A contour while its blocks run.
 #[derive(Debug)]
@@ -30,14 +30,74 @@ pub(super) struct Capture {
     name: String,
 }
 
+impl Capture {
+    /// A level ended by itself: perhaps it was the contour. `levels` are left.
+    pub fn level_ended(&mut self, levels: usize) {
+        self.complete |= levels <= self.below;
+    }
+
+    /// May the program that runs end here? Not if only a part of it describes the contour.
+    pub fn ends_program(&self, core: &Core<'_>) -> bool {
+        let mut levels = core.levels.iter().skip(self.below);
+        if levels.any(|level| matches!(level.frame.kind, FrameKind::Program { .. })) {
+            return false;
+        }
+        core.stop_run();
+        core.say_here(codes::S2091::program_ends_inside_contour());
+        true
+    }
+
+    /// Inside a contour no function is carried out; those of the machine do not belong there.
+    pub fn function(&mut self, core: &Core<'_>, function: &Function) {
+        if !matches!(
+            function,
+            Function::Comment(_) | Function::Remark(_) | Function::Plane(_) | Function::PathControl(_)
+        ) {
+            self.failed = true;
+            core.say_here(codes::S2091::contour_holds_function_of_machine(&self.name));
+        }
+    }
+
+    /// What is no part of a contour, by a fault that names the contour.
+    pub fn refuse(&mut self, core: &Core<'_>, span: Span, fault: impl FnOnce(&str) -> Fault) -> Outcome {
+        self.failed = true;
+        core.refuse(span, fault(&self.name))
+    }
+
+    /// Words that shape no contour: the cycle has its own compensation and feeds.
+    pub fn words(&mut self, core: &Core<'_>, w: &Words) -> Outcome {
+        let offset =
+            w.get(Address::Offn).filter(|offset| offset.value != 0.0).map(|given| ("OFFN".to_owned(), given.span));
+        let side = w.code_of(Group::Compensation).filter(|(code, _)| *code != GCode::G40);
+        let limit = w.get(Address::Lims).map(|given| ("LIMS".to_owned(), given.span));
+        if let Some((word, span)) = side.map(|(code, span)| (code.word(), span)).or(offset).or(limit) {
+            return self.refuse(core, span, |name| codes::S2091::stands_in_contour_which_is_shape(&word, &name));
+        }
+        let feeds = [Address::F, Address::Frc, Address::Frcm];
+        if let Some((word, given)) =
+            feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
+            && core.job.diags.first_time(codes::P8103, (word, &self.name))
+        {
+            let found = codes::P8103::in_contour_does_not_count(&word, &self.name).at(core.loc(given.span));
+            core.report(
+                found.help(
+                    "give the feed to the cycle; whether a control finishes at F of the contour is not known here",
+                ),
+            );
+        }
+        Ok(())
+    }
+}
+
 impl Run<'_> {
     /// Runs the blocks of a contour.
     pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
         let here = self.channel.core.here;
         let back = self.channel.core.place();
+        let below = self.channel.core.levels.len();
         let (before, counted) = self.enter_capture(call);
         let entered = self.enter_contour(call);
-        while entered.is_ok() && self.channel.in_contour() && !self.channel.core.has_ended() {
+        while entered.is_ok() && self.channel.core.levels.len() > below && !self.channel.core.has_ended() {
             step(self);
         }
         let pending = self.channel.pending_must_be_done(Where::Block);
@@ -75,96 +135,6 @@ impl Run<'_> {
             Some((from, stop)) if call.unit == self.unit() => self.channel.core.enter_section(from, stop, 1),
             part => self.call_part(call.unit, Vec::new(), 1, false, part),
         }
-    }
-}
-
-impl Channel<'_> {
-    fn in_contour(&self) -> bool {
-        self.capture.as_ref().is_some_and(|capture| self.core.levels.len() > capture.below)
-    }
-
-    pub(super) fn is_capturing(&self) -> bool {
-        self.capture.is_some()
-    }
-
-    /// A level ended by itself: perhaps it was the contour.
-    pub(super) fn level_ended(&mut self) {
-        let levels = self.core.levels.len();
-        if let Some(capture) = self.capture.as_mut().filter(|capture| levels <= capture.below) {
-            capture.complete = true;
-        }
-    }
-
-    /// May the program that runs end here? Not if only a part of it describes the contour.
-    pub(super) fn ends_inside_contour(&mut self) -> bool {
-        let Some(below) = self.capture.as_ref().map(|capture| capture.below) else { return false };
-        let own =
-            self.core.levels.iter().skip(below).any(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
-        if own {
-            return false;
-        }
-        self.core.stop_run();
-        let _: Outcome = self.core.refuse(Where::Block, codes::S2091::program_ends_inside_contour());
-        true
-    }
-
-    /// A function in a contour. True for one that is done with: inside a contour nothing is carried out.
-    pub(super) fn function_in_contour(&mut self, function: &Function) -> bool {
-        let Some(capture) = self.capture.as_mut() else { return false };
-        if matches!(
-            function,
-            Function::Comment(_) | Function::Remark(_) | Function::Plane(_) | Function::PathControl(_)
-        ) {
-            return true;
-        }
-        capture.failed = true;
-        let name = capture.name.clone();
-        let _: Outcome = self.core.refuse(Where::Block, codes::S2091::contour_holds_function_of_machine(&name));
-        true
-    }
-
-    /// An axis that moves by itself is no path.
-    pub(super) fn no_positioning_in_contour(&mut self, span: Span) -> Outcome {
-        let Some(capture) = self.capture.as_mut() else { return Ok(()) };
-        capture.failed = true;
-        let name = capture.name.clone();
-        self.core.refuse(span, codes::S2091::positioning_axis_moves_in_contour(&name))
-    }
-
-    /// Words that shape no contour: the cycle has its own compensation and feeds.
-    pub(super) fn words_in_contour(&mut self, w: &Words) -> Outcome {
-        let Some(name) = self.capture.as_ref().map(|capture| capture.name.clone()) else { return Ok(()) };
-        let offset =
-            w.get(Address::Offn).filter(|offset| offset.value != 0.0).map(|given| ("OFFN".to_owned(), given.span));
-        let side = w.code_of(Group::Compensation).filter(|(code, _)| *code != GCode::G40);
-        let limit = w.get(Address::Lims).map(|given| ("LIMS".to_owned(), given.span));
-        if let Some((word, span)) = side.map(|(code, span)| (code.word(), span)).or(offset).or(limit) {
-            if let Some(capture) = &mut self.capture {
-                capture.failed = true;
-            }
-            return self.core.refuse(span, codes::S2091::stands_in_contour_which_is_shape(&word, &name));
-        }
-        let feeds = [Address::F, Address::Frc, Address::Frcm];
-        if let Some((word, given)) =
-            feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
-            && self.core.job.diags.first_time(codes::P8103, (word, &name))
-        {
-            let found = codes::P8103::in_contour_does_not_count(&word, &name).at(self.core.loc(given.span));
-            self.core.report(
-                found.help(
-                    "give the feed to the cycle; whether a control finishes at F of the contour is not known here",
-                ),
-            );
-        }
-        Ok(())
-    }
-
-    /// A cycle inside a contour.
-    pub(super) fn no_cycle_in_contour(&mut self, name: &str, span: Span) -> Outcome {
-        let Some(capture) = self.capture.as_mut() else { return Ok(()) };
-        capture.failed = true;
-        let contour = capture.name.clone();
-        self.core.refuse(span, codes::S2091::stands_in_contour(&name, &contour))
     }
 }
 

@@ -63,7 +63,7 @@ impl Channel<'_> {
         let plane = self.circle_plane(w, &self.parameters(CENTER));
         let feed = self.cutting_feed(w)?;
         let turns = self.core.turns(w)?;
-        let mut end = self.targets(w)?;
+        let mut end = self.st.targets(&self.core, w)?;
         self.order_of_axes_fits(w, plane, &end)?;
         let start = self.start_in(plane, w)?;
         let named = self.core.plane_axes_named(w, plane);
@@ -131,7 +131,7 @@ impl Channel<'_> {
         if let Some(third) =
             AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.position.get(*axis).is_none())
         {
-            return self.unknown_axis(third, place);
+            return self.st.unknown_axis(&self.core, third, place);
         }
         self.pair_must_be_done(place)?;
         self.send(end, Path::Arc(arc, feed));
@@ -147,7 +147,7 @@ impl Channel<'_> {
         let missing =
             [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.st.position.get(*axis).is_none());
         let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
-        self.unknown_axis(missing.unwrap_or(Axis::X), span)
+        self.st.unknown_axis(&self.core, missing.unwrap_or(Axis::X), span)
     }
 
     /// The centre from I, J, K; `None` if none of them is given.
@@ -186,9 +186,9 @@ impl Channel<'_> {
                 }
             };
             if absolute {
-                *place = self.length(*axis, Given { mode: Mode::Ac, ..given }, false)?;
+                *place = self.st.length(&self.core, *axis, Given { mode: Mode::Ac, ..given }, false)?;
             } else if follows_g90 {
-                *place += self.length(*axis, Given { mode: Mode::Ic, ..given }, true)?;
+                *place += self.st.length(&self.core, *axis, Given { mode: Mode::Ic, ..given }, true)?;
             } else {
                 // The way to a centre is a radius whatever DIAMON says.
                 *place += given.value * self.st.length_unit();
@@ -225,7 +225,7 @@ impl Channel<'_> {
             let via =
                 run.parameters(VIA).into_iter().find(|(_, of)| *of == axis).and_then(|(address, _)| w.get(address));
             for given in [w.axis(axis), via].into_iter().flatten() {
-                if (run.target(axis, given)? - at).abs() > 1e-9 {
+                if (run.st.target(&run.core, axis, given)? - at).abs() > 1e-9 {
                     return Ok(false);
                 }
             }
@@ -277,11 +277,11 @@ impl Channel<'_> {
             self.parameters(VIA).iter().find(|(address, axis)| *axis == third && w.get(*address).is_some())
         {
             let given = w.get(*address).unwrap_or_default();
-            let at = self.target(*axis, Given { mode: given.mode, ..given })?;
+            let at = self.st.target(&self.core, *axis, Given { mode: given.mode, ..given })?;
             let level = |pos: Option<f64>| pos.is_none_or(|v| (v - at).abs() < 1e-9);
             let end_level = w.axis(*axis);
             let end = match end_level {
-                Some(given) => Some(self.target(*axis, given)?),
+                Some(given) => Some(self.st.target(&self.core, *axis, given)?),
                 None => None,
             };
             if !level(self.st.position.get(*axis)) || !level(end) {
@@ -290,7 +290,7 @@ impl Channel<'_> {
             w.take(*address);
         }
         self.says_via_in_diameters(w);
-        let mut end = self.targets(w)?;
+        let mut end = self.st.targets(&self.core, w)?;
         let to = self.core.end_in(&end, plane, start);
         let Some(point) = self.point_of(w, &self.parameters(VIA), plane, start, true)? else {
             return self.core.refuse(

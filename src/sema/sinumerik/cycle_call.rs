@@ -77,7 +77,10 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome<Given> {
         let name = row.signature.name;
-        self.channel.no_cycle_in_contour(name, span)?;
+        if let Some(capture) = &mut self.channel.capture {
+            let fault = |contour: &str| codes::S2091::stands_in_contour(&name, &contour);
+            return capture.refuse(&self.channel.core, span, fault).and(Err(Reported));
+        }
         let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         let parameters = row.signature.parameters;
         let mut given = Given::new(&row.signature, name, span.into(), self.channel.st.length_unit());
@@ -393,7 +396,7 @@ impl Channel<'_> {
         if self.leaves_touched(AxisSet::of(self.st.roles()[2]), false).is_err() {
             return;
         }
-        self.length_acts_along_z();
+        self.st.length_acts_along_z(&self.core, self.capture.is_some());
         self.cuts_in_between();
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
@@ -415,6 +418,6 @@ impl Channel<'_> {
             return Ok(());
         }
         let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
-        self.unknown_axis(axis, place)
+        self.st.unknown_axis(&self.core, axis, place)
     }
 }

@@ -128,7 +128,9 @@ impl Channel<'_> {
 
     /// Says once that nothing turns the spindle that a feed per revolution waits for.
     fn spindle_feeds(&self) {
-        if self.st.spindles.turn().is_none() && !self.is_capturing() && self.core.job.diags.first_time(codes::S8047, ())
+        if self.st.spindles.turn().is_none()
+            && !self.capture.is_some()
+            && self.core.job.diags.first_time(codes::S8047, ())
         {
             let found = codes::S8047::no_block_in_front_of_this_feed().at(self.core.loc(Where::Block));
             self.core.report(found.help(self.or_started_by_call("program M3 or M4 with a speed before it".into())));
@@ -146,7 +148,7 @@ impl Channel<'_> {
 
     /// The feed of a path block that cuts.
     pub(super) fn cutting_feed(&mut self, w: &mut Words) -> Outcome<Feed> {
-        if self.st.is(GCode::G93) && !self.is_capturing() {
+        if self.st.is(GCode::G93) && !self.capture.is_some() {
             self.time_of_block(w)?;
         }
         if let Some(fb) = self.core.block_feed(w)? {
@@ -155,7 +157,7 @@ impl Channel<'_> {
             }
             return Ok(self.st.feed_of(fb.value));
         }
-        if self.is_capturing() {
+        if self.capture.is_some() {
             // Nothing moves along a contour that is read; the cycle that takes it has the feeds.
             return Ok(self.st.feed.word().unwrap_or(Feed::PerRevolution(1.0)));
         }
@@ -214,7 +216,7 @@ impl Channel<'_> {
 
     /// The first cut after a call that is left out takes the feed of before the call.
     fn says_feed_of_before(&mut self) {
-        if self.is_capturing() {
+        if self.capture.is_some() {
             return;
         }
         let Some(left) = self.st.feed.left.take() else { return };

@@ -74,7 +74,7 @@ impl Channel<'_> {
             }
         };
         self.st.frames.set_programmable(frame);
-        self.refresh_frame();
+        self.st.refresh_frame(&self.core);
         Ok(())
     }
 
@@ -160,7 +160,7 @@ impl Channel<'_> {
                 *place = given.value * unit;
             }
         }
-        self.refresh_frame();
+        self.st.refresh_frame(&self.core);
         Ok(())
     }
 }

@@ -172,7 +172,7 @@ impl Channel<'_> {
             return Err(Reported);
         }
         let Some(value) = self.st.position.get(axis) else {
-            return self.no_position(axis, span, codes::P2001::where_axis_stands_is_not_known_2);
+            return self.st.no_position(&self.core, axis, span, codes::P2001::where_axis_stands_is_not_known_2);
         };
         if axis.is_rotary() {
             return Ok(if self.st.machine.modulo.contains(axis) { reduced(value) } else { value });

@@ -93,7 +93,7 @@ impl Channel<'_> {
     /// A move cuts, unless it only describes a contour.
     #[inline]
     pub(super) fn cuts_in_between(&mut self) {
-        let describes = self.is_capturing();
+        let describes = self.capture.is_some();
         if let Some(left) = self.change_left_out.as_mut().filter(|_| !describes) {
             left.cut = true;
         }

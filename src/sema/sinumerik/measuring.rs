@@ -11,12 +11,11 @@ use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
 use crate::sema::common::hidden::By;
-use crate::sema::run::place::move_beside;
 use crate::text::{Loc, Span};
 
 use super::block::ARC_ADDRESSES;
 use super::measuring_data;
-use super::probe_state::{ProbeWord, Touched};
+use super::probe_state::{ProbeWord, Touched, hidden_with};
 use super::system_meanings::{is_measured, meaning_of, said_meaning};
 use super::value::{Val, whole};
 use super::vocabulary::Address;
@@ -127,7 +126,7 @@ impl Channel<'_> {
         if !ignored && !self.core.job.settings.control.klartext_choices.probing_left_out {
             return self.core.refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(leave_out()));
         }
-        if self.st.side() != Side::None || self.is_capturing() {
+        if self.st.side() != Side::None || self.capture.is_some() {
             return self.core.refuse(span, codes::P9010::stands_under_radius_compensation_or_in_contour(&name));
         }
         let what = match self.set_by(name, values) {
@@ -246,7 +245,7 @@ impl Channel<'_> {
         }
         self.st.threads.end_chain();
         self.st.heading = super::tangent::Heading::None;
-        let axes = self.hidden_with(axes);
+        let axes = hidden_with(&self.st.ctx.frame, axes);
         self.st.position.forget(axes);
         self.st.position.hide(axes, By::Probe, loc);
         let before = self.st.touched;
@@ -256,15 +255,6 @@ impl Channel<'_> {
         self.has_measured(probe.name, loc);
         self.only_known_axes_stand();
         Ok(())
-    }
-
-    /// In a turned frame each axis of the program moves several of the machine.
-    fn hidden_with(&self, axes: AxisSet) -> AxisSet {
-        if self.st.ctx.frame.is_shift() || axes.common(AxisSet::MAIN).is_empty() {
-            axes
-        } else {
-            axes.union(AxisSet::MAIN)
-        }
     }
 
     /// MEAW, and MEAS whose probe touches nothing: its move was printed, if there was one.
@@ -322,7 +312,7 @@ impl Channel<'_> {
         }
         self.pending_must_be_done(probe.span)?;
         let open = self.st.side() != Side::None || self.st.compensation.waits() || self.soft.is_some();
-        if open || self.is_capturing() || self.st.modal_call.is_on() {
+        if open || self.capture.is_some() || self.st.modal_call.is_on() {
             return self.core.refuse(probe.span, codes::P9010::stands_under_radius_compensation(&probe.name));
         }
         Ok(())
@@ -334,34 +324,6 @@ impl Channel<'_> {
             let word = key.split('[').next().unwrap_or(key);
             is_measured(word) || measuring_data::find(word) == Some(true)
         });
-    }
-
-    /// A move to these axes, before it: those that stand where a probe left them have to be named.
-    pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
-        let (position, here) = (&self.st.position, self.core.here.origin.loc);
-        let left = if self.is_capturing() { AxisSet::EMPTY } else { position.left_by_calls() };
-        if let Some(found) = move_beside(position, left, axes, &self.st.ctx.frame, here) {
-            self.core.report(found);
-            self.lose_all();
-            return Err(Reported);
-        }
-        let Some(touched) = self.st.touched else { return Ok(()) };
-        let of = |axes: AxisSet| if axes.is_empty() { axes } else { self.hidden_with(axes) };
-        let (all, cuts) = (of(touched.all).without(axes), of(touched.cuts).without(axes));
-        let missing = if rapid { all } else { all.union(cuts) };
-        if missing.is_empty() {
-            self.st.touched = (!all.union(cuts).is_empty()).then_some(Touched { all, cuts, ..touched });
-            return Ok(());
-        }
-        self.st.touched = None;
-        let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
-        let letters = letters.join(" and ");
-        let found = codes::S9023::this_block_moves(&letters)
-            .at(self.core.here.origin.loc)
-            .also(touched.loc, Label::MeasuringLeftOut);
-        self.core.report(found.help(format!("program {letters} in this block, in absolute coordinates")));
-        self.lose_all();
-        Err(Reported)
     }
 
     /// What a feed move lacks after a cycle that is left out.

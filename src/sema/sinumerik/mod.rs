@@ -352,7 +352,7 @@ impl Run<'_> {
             return;
         }
         if self.channel.st.stored.is_some() {
-            self.channel.note_stored_block();
+            self.channel.st.stored_block_begins(&self.channel.core);
         }
         if self.channel.curve_table.is_some() {
             let _ = self.table_block(block);

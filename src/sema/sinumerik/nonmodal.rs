@@ -39,7 +39,7 @@ impl Run<'_> {
                 self.channel.early_functions(w)?;
                 moved = true;
                 let feed = self.channel.cutting_feed(w)?;
-                let end = self.channel.targets(w)?;
+                let end = self.channel.st.targets(&self.channel.core, w)?;
                 self.channel.pending_must_be_done(span)?;
                 if !end.known().is_empty() {
                     self.channel.send(&end, Path::Line(feed));

@@ -175,7 +175,7 @@ impl Channel<'_> {
         }
         self.st.offsets.outer = outer;
         self.st.frames.set_settable(frame);
-        self.refresh_frame();
+        self.st.refresh_frame(&self.core);
     }
 
     /// Something is printed that counts from the basic system; a later offset of the machine would count from elsewhere.

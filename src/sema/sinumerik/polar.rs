@@ -83,7 +83,7 @@ impl Channel<'_> {
                 Some(at) => at,
                 None => {
                     let axis = if self.st.position.get(first).is_none() { first } else { second };
-                    return self.unknown_axis(axis, span);
+                    return self.st.unknown_axis(&self.core, axis, span);
                 }
             },
         };
@@ -104,7 +104,7 @@ impl Channel<'_> {
             for (place, axis) in way.iter_mut().zip([first, second]) {
                 if let Some(given) = w.axis(axis) {
                     self.core.parameter_of_frame(given)?;
-                    *place = self.length(axis, Given { mode: Mode::Plain, ..given }, false)?;
+                    *place = self.st.length(&self.core, axis, Given { mode: Mode::Plain, ..given }, false)?;
                 }
             }
             Point2::new(base.x + way[0], base.y + way[1])
@@ -165,7 +165,7 @@ impl Channel<'_> {
         };
         self.st.polar.radius = Some(radius);
         self.st.polar.angle = Some(angle);
-        let mut end = self.targets(w)?;
+        let mut end = self.st.targets(&self.core, w)?;
         end.set_in_plane(plane, polar_point(self.st.polar.pole, radius, Deg(angle)));
         Ok(end)
     }

@@ -7,31 +7,32 @@ use crate::machine::Axis;
 use crate::text::Span;
 
 use super::g_groups::GCode;
+use super::state::State;
 use super::words::{Given, Mode};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Core, Outcome, Reported};
 
-impl Channel<'_> {
+impl State {
     /// The end point of a rotary axis in degrees. Those of a modulo axis count on from the last one, turn by turn.
-    pub(super) fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+    pub(super) fn rotary_target(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
         let incremental = match given.mode {
-            Mode::Plain => self.st.is(GCode::G91),
+            Mode::Plain => self.is(GCode::G91),
             Mode::Ac => false,
             Mode::Ic => true,
-            Mode::Dc | Mode::Acp | Mode::Acn => return self.directed_target(axis, given),
-            _ => return self.core.no_diameter_axis(given.span),
+            Mode::Dc | Mode::Acp | Mode::Acn => return self.directed_target(core, axis, given),
+            _ => return core.no_diameter_axis(given.span),
         };
         if incremental {
-            return Ok(self.increment_base(axis, given.span)? + given.value);
+            return Ok(self.increment_base(core, axis, given.span)? + given.value);
         }
-        if self.st.machine.modulo.contains(axis) { self.modulo_target(axis, given) } else { Ok(given.value) }
+        if self.machine.modulo.contains(axis) { self.modulo_target(core, axis, given) } else { Ok(given.value) }
     }
 
     /// DC, ACP and ACN: the shortest way, or a way of one sense.
-    fn directed_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        self.core.inside_one_turn(given)?;
-        self.st.machine.modulo.insert(axis);
-        let Some(at) = self.st.position.get(axis) else {
-            return self.first_rotary_target(axis, given);
+    fn directed_target(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
+        core.inside_one_turn(given)?;
+        self.machine.modulo.insert(axis);
+        let Some(at) = self.position.get(axis) else {
+            return self.first_rotary_target(core, axis, given);
         };
         let way = match given.mode {
             Mode::Acp => Way::Up,
@@ -42,31 +43,31 @@ impl Channel<'_> {
     }
 
     /// `C20` of a modulo axis: up or down inside the turn in which it stands.
-    fn modulo_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        self.core.inside_one_turn(given)?;
-        if self.st.position.is_lost(axis) {
+    fn modulo_target(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
+        core.inside_one_turn(given)?;
+        if self.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(at) = self.st.position.get(axis) else {
+        let Some(at) = self.position.get(axis) else {
             let letter = axis.letter();
-            self.core.say_once(given.span, codes::S8044::where_stands_is_not_known_its_way(&letter));
+            core.say_once(given.span, codes::S8044::where_stands_is_not_known_its_way(&letter));
             return Ok(given.value);
         };
-        let shift = self.st.ctx.frame.shift_of(axis);
-        if reduced(shift) != 0.0 && !self.core.job.settings.control.sinumerik.modulo_shortest {
-            return self.core.modulo_under_a_shift(axis, given.span);
+        let shift = self.ctx.frame.shift_of(axis);
+        if reduced(shift) != 0.0 && !core.job.settings.control.sinumerik.modulo_shortest {
+            return core.modulo_under_a_shift(axis, given.span);
         }
-        let shortest = self.core.job.settings.control.sinumerik.modulo_shortest;
+        let shortest = core.job.settings.control.sinumerik.modulo_shortest;
         Ok(counted_on(at, given.value, if shortest { Way::Short } else { Way::Inside }))
     }
 
     /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
-    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if given.mode != Mode::Dc || !self.st.is(GCode::G0) || self.st.position.is_lost(axis) {
-            return self.unknown_axis(axis, given.span);
+    fn first_rotary_target(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
+        if given.mode != Mode::Dc || !self.is(GCode::G0) || self.position.is_lost(axis) {
+            return self.unknown_axis(core, axis, given.span);
         }
         let letter = axis.letter();
-        self.core.say_once(given.span, codes::S8044::where_stands_is_not_known(&letter));
+        core.say_once(given.span, codes::S8044::where_stands_is_not_known(&letter));
         Ok(given.value)
     }
 }

@@ -28,7 +28,7 @@ use super::g_groups::{GCode, Group};
 use super::tangent::Heading;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Channel, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported};
 
 /// Functions and comments between an approach and its contour.
 const MOST_HELD: usize = 256;
@@ -79,6 +79,27 @@ pub(super) struct Soft {
     held: Vec<(Function, Origin)>,
 }
 
+impl Soft {
+    /// Something that cannot stand between an approach and its contour.
+    pub fn report_open(&self, core: &Core<'_>) {
+        let found = codes::S2083::no_contour_element_follows(&self.name).at(self.here.loc(&core.job, self.span));
+        core.job.diags.push(found.called(self.here.origin.call).help("let a path block of the plane follow"));
+    }
+
+    /// Holds back a function that waits for the contour.
+    pub fn holds(&mut self, function: &Function, origin: Origin) -> bool {
+        let acts = matches!(
+            function,
+            Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_) | Function::End { .. }
+        );
+        let waits = !acts && self.held.len() < MOST_HELD;
+        if waits {
+            self.held.push((function.clone(), origin));
+        }
+        waits
+    }
+}
+
 fn shape_of(code: GCode) -> Option<(Shape, bool)> {
     Some(match code {
         GCode::G147 => (Shape::Line, true),
@@ -125,7 +146,7 @@ impl Channel<'_> {
         if side != Side::None && scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
             return self.core.refuse(span, codes::P9011::under_scaling_is_not_supported(&code.word()));
         }
-        let end = self.targets(w)?;
+        let end = self.st.targets(&self.core, w)?;
         self.st.compensation.is_over();
         if approaches {
             self.approach(code, span, w, sizes, end, before)
@@ -222,32 +243,6 @@ impl Channel<'_> {
         Ok(())
     }
 
-    /// Something that cannot stand between an approach and its contour.
-    pub(super) fn soft_must_be_done(&mut self) -> Outcome {
-        let Some(soft) = self.soft.take() else { return Ok(()) };
-        let found = codes::S2083::no_contour_element_follows(&soft.name).at(soft.here.loc(&self.core.job, soft.span));
-        self.core.job.diags.push(found.called(soft.here.origin.call).help("let a path block of the plane follow"));
-        self.lose_all();
-        Err(Reported)
-    }
-
-    /// True for a function that waits for the contour.
-    pub(super) fn held_by_approach(&mut self, function: &Function) -> bool {
-        let waits = match function {
-            Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_) | Function::End { .. } => false,
-            _ => self.soft.as_ref().is_some_and(|soft| soft.held.len() < MOST_HELD),
-        };
-        if !waits {
-            let _: Outcome = self.soft_must_be_done();
-            return false;
-        }
-        let origin = self.core.here.origin;
-        if let Some(soft) = &mut self.soft {
-            soft.held.push((function.clone(), origin));
-        }
-        true
-    }
-
     /// A move behind an approach: the point of the contour, or its first element. True if it moves nothing itself.
     pub(super) fn soft_element(&mut self, end: &Pos, path: &Path) -> bool {
         let [first, second, third] = self.st.roles();
@@ -329,7 +324,7 @@ impl Channel<'_> {
         let Some(at) = self.st.position.in_plane(plane) else {
             let [first, second, _] = self.st.roles();
             let axis = if self.st.position.get(first).is_none() { first } else { second };
-            return self.unknown_axis(axis, soft.span);
+            return self.st.unknown_axis(&self.core, axis, soft.span);
         };
         let Some(heading) = self.direction_at_start(end, path) else {
             return self.core.refuse(soft.span, codes::S2083::direction_behind_is_not_known());
@@ -401,7 +396,9 @@ impl Channel<'_> {
         if !moves {
             return Ok(None);
         }
-        let (Some(start), Some(contour)) = (start, contour) else { return self.unknown_axis(third, soft.span) };
+        let (Some(start), Some(contour)) = (start, contour) else {
+            return self.st.unknown_axis(&self.core, third, soft.span);
+        };
         let safe = soft.sizes.safe.map_or(contour, |height| height.over(contour));
         self.check_heights(soft.span, start, contour, safe, soft.sizes.plane)?;
         Ok(Some(Heights { first: soft.sizes.plane.map(|height| height.over(contour)), safe, contour }))
@@ -439,7 +436,7 @@ impl Channel<'_> {
         }
         let Some(at) = self.st.position.in_plane(plane) else {
             let axis = if self.st.position.get(first).is_none() { first } else { second };
-            return self.unknown_axis(axis, span);
+            return self.st.unknown_axis(&self.core, axis, span);
         };
         let Some(heading) = self.heading_at(at) else {
             return self.core.refuse(span, codes::S2083::direction_in_front_is_not_known());
@@ -501,7 +498,7 @@ impl Channel<'_> {
         let [_, _, third] = self.st.roles();
         let needed = sizes.safe.is_some() || sizes.plane.is_some() || top.is_some();
         let Some(contour) = self.st.position.get(third) else {
-            return if needed { self.unknown_axis(third, span) } else { Ok(None) };
+            return if needed { self.st.unknown_axis(&self.core, third, span) } else { Ok(None) };
         };
         let safe = sizes.safe.map_or(contour, |height| height.over(contour));
         let over = sizes.plane.map(|height| height.over(contour));

@@ -38,7 +38,7 @@ impl Channel<'_> {
     /// Says once that a feed per revolution counts the turns of another spindle than the target's first one.
     pub(super) fn master_feeds(&self, place: impl Into<Where>) {
         let master = self.st.spindles.master();
-        if master != MAIN_SPINDLE && !self.is_capturing() {
+        if master != MAIN_SPINDLE && !self.capture.is_some() {
             self.core.say_once(place, codes::S8253::feed_per_revolution_of_spindle(&master));
         }
     }
@@ -110,7 +110,7 @@ impl Channel<'_> {
 
     /// Refuses what needs a speed where a left-out call leaves another one.
     pub(super) fn left_speed_is_known(&mut self, needs: &str) -> Outcome {
-        let Some(lost) = self.speed_lost.take().filter(|_| !self.is_capturing()) else { return Ok(()) };
+        let Some(lost) = self.speed_lost.take().filter(|_| !self.capture.is_some()) else { return Ok(()) };
         let (name, call) = *lost;
         self.core.refuse(Where::Block, codes::S2045::in_line_leaves_speed_that_is_not(&needs, &name, &call.line))
     }

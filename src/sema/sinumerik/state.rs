@@ -11,7 +11,7 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
 
-use super::Channel;
+use super::{Channel, Core};
 use super::angle_lines::Pair;
 use super::corners::Corners;
 use super::diameter::Diameter;
@@ -259,6 +259,32 @@ impl State {
             self.polar.plane_changed();
         }
     }
+
+    /// Makes the context fit the frames; the tool stays where it is.
+    pub(super) fn refresh_frame(&mut self, core: &Core<'_>) {
+        let Some(frame) = self.frames.total().map() else {
+            self.position.lose(AxisSet::ALL);
+            self.frames.set_programmable(FrameValue::default());
+            let _: super::Outcome = core.refuse(Where::Block, codes::S2034::frame_cannot_be_used());
+            return;
+        };
+        if frame != self.ctx.frame {
+            self.warn_of_mirrored_tool_axis(core, &frame);
+            self.heading = self.heading.across_frames(&self.position, frame.linear() != self.ctx.frame.linear());
+            self.position.keep_programmed();
+            self.position.through_frame(&self.ctx.frame, &frame);
+            self.ctx = Rc::new(Ctx { frame, ..(*self.ctx).clone() });
+        }
+    }
+
+    fn warn_of_mirrored_tool_axis(&mut self, core: &Core<'_>, next: &Frame) {
+        let [_, _, axis] = self.roles();
+        let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
+        if turned(next) && !turned(&self.ctx.frame) {
+            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(core.here.origin.loc);
+            core.report(found.help("check that this is meant; most often another axis is"));
+        }
+    }
 }
 
 impl Channel<'_> {
@@ -275,7 +301,7 @@ impl Channel<'_> {
         } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
             self.restore_offset_frame(saved.frames.settable);
         }
-        self.refresh_frame();
+        self.st.refresh_frame(&self.core);
         if changed {
             self.st.feed_mode_changed();
         }
@@ -295,33 +321,6 @@ impl Channel<'_> {
                         .help("set `[control] md10617`, or select the offset again in the calling program"),
                 ),
             );
-        }
-    }
-
-    /// Makes the context fit the frames; the tool stays where it is.
-    pub(super) fn refresh_frame(&mut self) {
-        let Some(frame) = self.st.frames.total().map() else {
-            self.st.position.lose(AxisSet::ALL);
-            self.st.frames.set_programmable(FrameValue::default());
-            let _: super::Outcome = self.core.refuse(Where::Block, codes::S2034::frame_cannot_be_used());
-            return;
-        };
-        if frame != self.st.ctx.frame {
-            self.warn_of_mirrored_tool_axis(&frame);
-            self.st.heading =
-                self.st.heading.across_frames(&self.st.position, frame.linear() != self.st.ctx.frame.linear());
-            self.st.position.keep_programmed();
-            self.st.position.through_frame(&self.st.ctx.frame, &frame);
-            self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });
-        }
-    }
-
-    fn warn_of_mirrored_tool_axis(&mut self, next: &Frame) {
-        let [_, _, axis] = self.st.roles();
-        let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
-        if turned(next) && !turned(&self.st.ctx.frame) {
-            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(self.core.here.origin.loc);
-            self.core.report(found.help("check that this is meant; most often another axis is"));
         }
     }
 }

@@ -207,7 +207,7 @@ impl Channel<'_> {
         self.frame_is_free(span)?;
         if programmable {
             self.st.frames.set_programmable(frame);
-            self.refresh_frame();
+            self.st.refresh_frame(&self.core);
         } else {
             self.core.resolved_offset_note(span);
             self.resolves_offsets(span)?;

@@ -135,7 +135,7 @@ impl Channel<'_> {
         let turns = self.core.turns(w)?;
         let start = self.start_in(plane, w)?;
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
-        let mut end = if polar { self.polar_end(w)? } else { self.targets(w)? };
+        let mut end = if polar { self.polar_end(w)? } else { self.st.targets(&self.core, w)? };
         let to = self.core.end_in(&end, plane, start);
         end.set_in_plane(plane, to);
         let tangential = Arc { plane, shape: ArcShape::Tangent, turns };

@@ -132,7 +132,7 @@ impl Channel<'_> {
     pub(super) fn stops_at_angle(&mut self, angle: f64, w: &Words, functions: usize) {
         let master = self.st.spindles.master();
         let alone = w.axes.is_empty() && w.m.len() == functions && w.codes.is_empty() && w.get(Address::T).is_none();
-        if alone && master == MAIN_SPINDLE && w.beside.positioning.is_empty() && !self.is_capturing() {
+        if alone && master == MAIN_SPINDLE && w.beside.positioning.is_empty() && !self.capture.is_some() {
             self.st.taps.angle = Some((angle, self.core.here.origin));
         } else {
             self.send_spindle(master, Spindle::Orient(angle));
@@ -150,7 +150,7 @@ impl Channel<'_> {
 
     /// In front of the words of a block that taps.
     pub(super) fn tap_begins(&mut self) {
-        if !self.is_capturing() && self.st.taps.open.is_none() {
+        if !self.capture.is_some() && self.st.taps.open.is_none() {
             self.st.taps.begins = Some(self.st.spindles.fixed_turns(None));
         }
     }
@@ -194,7 +194,7 @@ impl Channel<'_> {
     pub(super) fn tap_block(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.master_is_main(span, "rigid tapping")?;
         self.tapping_speed(span)?;
-        let end = self.targets(w)?;
+        let end = self.st.targets(&self.core, w)?;
         if let Some(given) = self.lead_words(w)? {
             self.st.taps.lead = Some((given.axis, given.lead));
         }
@@ -204,7 +204,7 @@ impl Channel<'_> {
         self.starts_are_known(w, span)?;
         self.taps_along(axis, &end, w, span)?;
         let to = end.get(axis).unwrap_or_default();
-        if self.is_capturing() {
+        if self.capture.is_some() {
             self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
             return Ok(());
         }
@@ -219,7 +219,7 @@ impl Channel<'_> {
         self.stands_after_tap(code, span);
         self.note_outer();
         if self.st.plane() != Plane::Xy {
-            self.length_acts_along_z();
+            self.st.length_acts_along_z(&self.core, self.capture.is_some());
         }
         self.note_heading(&end, &Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
         self.st.position.move_to(&end);

@@ -31,7 +31,8 @@ impl Run<'_> {
                 2 | 17 | 30 => {
                     self.channel.core.end_is_whole();
                     if self.channel.core.in_main() {
-                        if self.channel.ends_inside_contour() {
+                        if self.channel.capture.as_ref().is_some_and(|capture| capture.ends_program(&self.channel.core))
+                        {
                             return Err(super::Reported);
                         }
                         let done = self.channel.pending_must_be_done(m.span);

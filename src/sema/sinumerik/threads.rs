@@ -78,7 +78,7 @@ impl Channel<'_> {
         }
         let follows = self.st.threads.chain.is_some();
         self.chain_is_whole(span)?;
-        let end = self.targets(w)?;
+        let end = self.st.targets(&self.core, w)?;
         let named = w.take(Address::Sf).map(|given| ("SF", given));
         // The setting is for the first thread of a chain.
         let set = || self.start_angle_by_setting(span).filter(|_| !follows).map(|given| (START_ANGLE, given));
@@ -189,7 +189,7 @@ impl Channel<'_> {
 
     pub(super) fn starts_are_known(&self, w: &Words, span: Span) -> Outcome {
         match w.axes.iter().find(|axis| axis.is_main() && self.st.position.get(*axis).is_none()) {
-            Some(axis) => self.unknown_axis(axis, span),
+            Some(axis) => self.st.unknown_axis(&self.core, axis, span),
             None => Ok(()),
         }
     }

@@ -84,7 +84,7 @@ impl Channel<'_> {
     /// What the tool table knows of an edge: `$TC_DP3[t,1]`, `$P_AD[6]`, `$P_TOOLL[1]`; lengths in mm.
     pub(super) fn table_value(&self, word: &str, args: &[Val]) -> Option<f64> {
         if word == "$P_TOOLL"
-            && let ToolLength::Known(length) = self.active_length()
+            && let ToolLength::Known(length) = self.st.active_length(self.core.job.settings)
         {
             return Some(length).filter(|_| matches!(args, [first] if first.number() == Some(1.0)));
         }

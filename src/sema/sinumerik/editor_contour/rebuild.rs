@@ -73,7 +73,7 @@ impl Channel<'_> {
             return self.core.not_rebuilt("a modal call is active", "end it by MCALL before the contour");
         }
         let off = self.st.tool.is_without_offset();
-        if off && !self.is_capturing() {
+        if off && !self.capture.is_some() {
             return self.core.not_rebuilt("under D0 its points count without the tool", "select D1 before the contour");
         }
         if self.st.offsets.in_machine() {
