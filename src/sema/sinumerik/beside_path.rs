@@ -175,7 +175,7 @@ impl Run<'_> {
             return Ok(Follower::Spindle(spindle));
         }
         match self.eval(formula, block, text)? {
-            Val::Axis(named) => Ok(match self.channel.printed_axis(named, formula.span)? {
+            Val::Axis(named) => Ok(match self.channel.axis_names.printed(&self.channel.core, named, formula.span)? {
                 None => Follower::LeftOut,
                 Some(_) => Follower::Printed(named.text().to_owned()),
             }),
@@ -213,7 +213,7 @@ impl Run<'_> {
             return self.channel.core.refuse(word.span, codes::P1001::lacks_axis_in_brackets(&name));
         };
         let named = self.axis_index(args, block, text)?;
-        let mut printed = self.channel.printed_axis(named, word.span)?.map(|_| named);
+        let mut printed = self.channel.axis_names.printed(&self.channel.core, named, word.span)?.map(|_| named);
         if let Value::Formula(formula) = word.value {
             let values = match self.eval(formula, block, text)? {
                 Val::List(list) => list.to_vec(),
@@ -222,7 +222,7 @@ impl Run<'_> {
             // Axes whose infeed waits for the turning points.
             for value in values {
                 if let Val::Axis(infeed) = value
-                    && self.channel.printed_axis(infeed, word.span)?.is_some()
+                    && self.channel.axis_names.printed(&self.channel.core, infeed, word.span)?.is_some()
                 {
                     printed = printed.or(Some(infeed));
                 }

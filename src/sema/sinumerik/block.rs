@@ -88,12 +88,11 @@ impl Run<'_> {
 
     /// The words of a block that holds no call.
     pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.channel.st.taps.are_open() {
-            self.channel.beside_taps(w);
+        let motion = self.channel.st.codes.of(Group::Motion);
+        if self.channel.st.taps.are_open() && self.channel.st.taps.end_before(w, motion) {
+            self.channel.tapping_ends();
         }
-        if self.channel.st.threads.are_open() {
-            self.channel.beside_threads(w);
-        }
+        self.channel.st.threads.go_on_beside(&self.channel.core, w);
         if let Some(capture) = &mut self.channel.capture {
             capture.words(&self.channel.core, w)?;
         }
@@ -108,9 +107,13 @@ impl Run<'_> {
         if self.codes_of_block(w)? {
             return Ok(());
         }
-        if self.channel.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
-            self.channel.only_tapping(w)?;
-            self.channel.tap_begins();
+        let motion = self.channel.st.codes.of(Group::Motion);
+        if motion.is_tapping() && !w.axes.is_empty() {
+            let st = &mut self.channel.st;
+            st.taps.take_only(&self.channel.core, &st.spindles, motion, w)?;
+            if self.channel.capture.is_none() {
+                st.taps.begin(st.spindles.fixed_turns(None));
+            }
         }
         self.channel.technology(w)?;
         self.channel.early_functions(w)?;
@@ -121,7 +124,9 @@ impl Run<'_> {
         }
         self.channel.block_behind_corner(moved)?;
         self.channel.core.all_words_fit(w)?;
-        self.channel.left_out_under_modal_call(w)?;
+        if self.channel.st.modal_call.is_on() {
+            w.moves_what_is_left_out(&self.channel.core)?;
+        }
         self.late_functions(w)?;
         if moved && !self.channel.core.has_ended() {
             self.call_modal()?;
@@ -220,7 +225,7 @@ impl Channel<'_> {
         self.check_offsets(w)?;
         self.check_start_of_compensation(interpolation, in_plane, span)?;
         if interpolation == GCode::G33 {
-            self.no_corner_at_thread(w, span)?;
+            self.st.corners.none_at_thread(&self.core, w, span)?;
         }
         let corner = self.corner_words(w)?;
         if !matches!(interpolation, GCode::G0 | GCode::G1) {

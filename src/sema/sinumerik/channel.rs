@@ -9,14 +9,13 @@ use crate::machine::{AxisSet, Proposed};
 use crate::sema::Job;
 use crate::sema::run::Where;
 use crate::sema::run::place::move_beside;
-use crate::text::Loc;
 
 use super::axis_names::AxisNames;
 use super::beside_path::CurveTable;
 use super::capture::Capture;
 use super::editor_contour::Stored;
 use super::lane::Lane;
-use super::lost_change::LeftOut;
+use super::left_behind::LeftBehind;
 use super::probe_state::{Measured, Touched};
 use super::soft_approach::Soft;
 use super::state::State;
@@ -38,14 +37,8 @@ pub(super) struct Channel<'a> {
     pub iso: bool,
     /// Straight blocks that may take the lane.
     pub lane: Lane,
-    /// What a call that is left out may have changed in.
-    pub change_left_out: Option<Box<LeftOut>>,
-    /// A call that stands for a program of the machine, until a G code of the path follows: its name and place.
-    pub motion_left: Option<Box<(String, Loc)>>,
-    /// The last call that stands for a program of the machine.
-    pub call_left: Option<Box<(String, Loc)>>,
-    /// The call that leaves a speed that is not known, until S is programmed.
-    pub speed_lost: Option<Box<(String, Loc)>>,
+    /// What calls that are left out leave behind.
+    pub left: LeftBehind,
     /// Values that synchronized actions set, which are left out.
     pub set_beside: SetBeside,
     /// The curve table that is described now.
@@ -65,10 +58,7 @@ impl<'a> Channel<'a> {
             soft: None,
             iso: false,
             lane: Lane::Closed,
-            change_left_out: None,
-            motion_left: None,
-            call_left: None,
-            speed_lost: None,
+            left: LeftBehind::default(),
             set_beside: SetBeside::default(),
             curve_table: None,
             measured: Measured::default(),
@@ -83,7 +73,9 @@ impl Channel<'_> {
         }
     }
 
-    pub(super) fn function(&mut self, function: Function) {
+    /// A function, if there is one.
+    pub(super) fn function(&mut self, function: impl Into<Option<Function>>) {
+        let Some(function) = function.into() else { return };
         if let Some(capture) = &mut self.capture {
             return capture.function(&self.core, &function);
         }

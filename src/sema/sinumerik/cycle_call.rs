@@ -124,7 +124,9 @@ impl Run<'_> {
         if moves {
             self.channel.speed_is_known()?;
             if self.channel.st.codes.per_revolution() {
-                self.channel.master_feeds(place);
+                if !self.channel.capture.is_some() {
+                    self.channel.st.spindles.master_feeds(&self.channel.core, place);
+                }
             }
         }
         if !matches!(row.work, Work::Hole(_)) {
@@ -342,7 +344,9 @@ impl Channel<'_> {
         self.no_cycle_by_time(Where::Block)?;
         self.speed_is_known()?;
         if self.st.codes.per_revolution() {
-            self.master_feeds(Where::Block);
+            if !self.capture.is_some() {
+                self.st.spindles.master_feeds(&self.core, Where::Block);
+            }
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
             return self.core.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
@@ -397,7 +401,7 @@ impl Channel<'_> {
             return;
         }
         self.st.length_acts_along_z(&self.core, self.capture.is_some());
-        self.cuts_in_between();
+        self.left.cuts(self.capture.is_some());
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
         self.st.threads.end_chain();

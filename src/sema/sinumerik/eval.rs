@@ -265,7 +265,7 @@ impl Run<'_> {
         }
         let word = self.channel.core.symbols.name(name);
         if let Some(named) = self.channel.axis_names.find(word) {
-            self.channel.printed_axis(named, span)?;
+            self.channel.axis_names.printed(&self.channel.core, named, span)?;
             return Ok(Val::Axis(named));
         }
         if let Some(value) = constant(word) {

@@ -133,7 +133,9 @@ impl Channel<'_> {
             && self.core.job.diags.first_time(codes::S8047, ())
         {
             let found = codes::S8047::no_block_in_front_of_this_feed().at(self.core.loc(Where::Block));
-            self.core.report(found.help(self.or_started_by_call("program M3 or M4 with a speed before it".into())));
+            self.core.report(found.help(
+                self.left.or_started_by_call(self.core.job.settings, "program M3 or M4 with a speed before it".into()),
+            ));
         }
     }
 
@@ -153,7 +155,9 @@ impl Channel<'_> {
         }
         if let Some(fb) = self.core.block_feed(w)? {
             if self.st.codes.per_revolution() {
-                self.master_feeds(fb.span);
+                if !self.capture.is_some() {
+                    self.st.spindles.master_feeds(&self.core, fb.span);
+                }
             }
             return Ok(self.st.feed_of(fb.value));
         }
@@ -169,7 +173,10 @@ impl Channel<'_> {
         // The alarm waits for a feed move of the geometry axes; a feed in degrees per minute needs no spindle.
         let waits = rotary_only && !matches!(self.st.feed.word(), Some(Feed::PerRevolution(_)));
         if !waits && self.st.spindles.close_cut_speed() {
-            let help = self.or_left_at_rapid("program S in m/min with G96; the S of before is a speed in turns".into());
+            let help = self.left.or_left_at_rapid(
+                self.core.job.settings,
+                "program S in m/min with G96; the S of before is a speed in turns".into(),
+            );
             return self.core.refuse(Where::Block, codes::S2045::g96_has_no_cutting_speed().help(help));
         }
         if self.st.spindles.is_cutting() {
@@ -180,7 +187,9 @@ impl Channel<'_> {
                 self.feed_kind_is_said();
                 self.says_feed_of_before();
                 if matches!(feed, Feed::PerRevolution(_)) {
-                    self.master_feeds(Where::Block);
+                    if !self.capture.is_some() {
+                        self.st.spindles.master_feeds(&self.core, Where::Block);
+                    }
                     self.spindle_feeds();
                 }
                 if rotary_only && let Feed::PerMinute(f) = feed {
@@ -210,7 +219,7 @@ impl Channel<'_> {
         };
         match self.feed_of_measuring() {
             Some(help) => help.into(),
-            None => self.or_left_at_rapid(help),
+            None => self.left.or_left_at_rapid(self.core.job.settings, help),
         }
     }
 

@@ -24,7 +24,9 @@ impl Channel<'_> {
             GCode::G110 | GCode::G111 | GCode::G112 => self.pole_block(code, span, w)?,
             GCode::G25 | GCode::G26 => {
                 for at in 0..w.s.len() {
-                    self.speed_range(code, w.s[at])?;
+                    let lims_counts = self.st.codes.of(Group::FeedType).ends_cutting_speed();
+                    let changed = self.st.spindles.speed_range(&self.core, code, w.s[at], lims_counts)?;
+                    self.function(changed);
                 }
                 w.s.clear();
                 w.beside.left_out.clear();

@@ -34,7 +34,7 @@ impl Channel<'_> {
             Group::Motion => {
                 self.core.check_interpolation(code, span)?;
                 self.st.codes.activate(code);
-                self.motion_left = None;
+                self.left.motion = None;
             }
             Group::Nonmodal | Group::Frame | Group::Suppression => {}
             Group::ExactStopBlock => {}

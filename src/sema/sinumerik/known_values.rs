@@ -65,8 +65,8 @@ impl Channel<'_> {
                 self.edge_is_as_selected(number, self.st.tool.edge_or_first(), span)?;
                 Ok(None)
             }
-            "$P_S" if self.speed_lost.is_some() => {
-                self.left_speed_is_known("this reads the speed")?;
+            "$P_S" if self.left.speed.is_some() => {
+                self.left.speed_is_known(&self.core, self.capture.is_some(), "this reads the speed")?;
                 Ok(None)
             }
             "$P_EP" | "$AA_IW" => self.end_position(word, args, span),

@@ -72,9 +72,9 @@ impl Channel<'_> {
             && !self.st.compensation.waits()
             && !self.st.corners.open.is_open()
             && self.st.corners.rounding() == 0.0
-            && self.cut_is_known()
+            && self.left.cut_is_known()
             && self.st.feed.is_the_programs()
-            && self.speed_lost.is_none()
+            && self.left.speed.is_none()
             && self.curve_table.is_none()
             && self.st.touched.is_none()
             && self.st.position.left_by_calls().is_empty()

@@ -46,8 +46,8 @@ mod kept;
 mod known_values;
 mod known_words;
 mod lane;
+mod left_behind;
 mod left_out;
-mod lost_change;
 mod machine_place;
 mod macros;
 mod measuring;
@@ -328,7 +328,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn finish(&mut self) {
-        self.channel.report_lost_change();
+        self.channel.left.report_change(&mut self.channel.core);
         self.channel.core.report_no_change();
         self.report_open_table();
         self.report_open();

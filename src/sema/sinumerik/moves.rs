@@ -21,7 +21,7 @@ impl Channel<'_> {
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
         if !matches!(path, Path::Rapid) {
-            self.cuts_in_between();
+            self.left.cuts(self.capture.is_some());
         }
         let somewhere = self.st.touched.is_some() || !self.st.position.left_by_calls().is_empty();
         if somewhere && self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {

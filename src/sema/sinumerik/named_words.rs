@@ -7,7 +7,7 @@ use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Value, Word};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
-use super::axis_names::NamedAxis;
+use super::axis_names::{AxisNames, NamedAxis};
 use super::beside_path::Beside;
 use super::g_groups::{GCode, Group};
 use super::probe_state;
@@ -85,7 +85,7 @@ impl Run<'_> {
             }
             Meaning::Axis(named) => {
                 let given = self.given(word, block, text)?;
-                self.channel.axis_word(words, named, given)?;
+                words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given)?;
             }
             Meaning::Procedure(Procedure::Refused(_))
                 if probe_state::word(self.channel.core.symbols.name(name), word.span).is_some() =>
@@ -326,12 +326,12 @@ impl Run<'_> {
             Indexed::Ax => {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                self.channel.axis_once(words, named, given)
+                words.axis_once(&self.channel.core, &mut self.channel.axis_names, named, given)
             }
             Indexed::Pos => {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                self.channel.positioning_word(words, named, given)
+                words.positioning_word(&self.channel.core, &mut self.channel.axis_names, named, given)
             }
             Indexed::Fa => {
                 let named = self.axis_index(args, block, text)?;
@@ -360,7 +360,7 @@ impl Run<'_> {
             }
             Indexed::Posa => {
                 let named = self.axis_index(args, block, text)?;
-                self.channel.moves_beside(words, named, word.span)
+                words.moves_beside(&self.channel.core, &mut self.channel.axis_names, named, word.span)
             }
             Indexed::CutAxis => {
                 let named = self.axis_index(args, block, text)?;
@@ -393,7 +393,7 @@ impl Run<'_> {
             }
             Meaning::Axis(named) => {
                 let given = self.given(word, block, text)?;
-                self.channel.axis_word(words, named, given)?;
+                words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given)?;
                 return Ok(false);
             }
             _ => {}
@@ -434,41 +434,48 @@ impl Run<'_> {
 }
 
 impl Channel<'_> {
-    /// `AX[Z]=`: the word of an axis, once in a block.
-    fn axis_once(&mut self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
-        if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
-            return self.core.refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one(&named.text()));
-        }
-        self.axis_word(words, named, given)
-    }
-
-    fn positioning_word(&mut self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
-        match self.printed_axis(named, given.span)? {
-            Some(axis) => words.beside.positioning.push(Positioning { axis, given }),
-            None => words.beside.left_out.push((named, given.span)),
-        }
-        Ok(())
-    }
-
-    /// POSA moves its axis while the next blocks run.
-    fn moves_beside(&mut self, words: &mut Words, named: NamedAxis, span: Span) -> Outcome {
-        if self.printed_axis(named, span)?.is_none() {
-            words.beside.left_out.push((named, span));
-            return Ok(());
-        }
-        self.core
-            .refuse(span, codes::S9008::axis_that_moves_beside_path_cannot().answer(Answer::key("machine", "axes")))
-    }
-
     /// LIMS, SPOS and SPOSA with the number of a spindle.
     fn address_of_spindle(&mut self, words: &mut Words, address: Address, spindle: u8, given: Given) -> Outcome {
         if spindle == self.st.spindles.master() {
             return words.set_address(&self.core, address, given);
         }
         if address == Address::Lims {
-            return self.speed_limit_of(spindle, given);
+            return self.st.spindles.speed_limit(&self.core, Some(spindle), given);
         }
-        self.spindle_position_of(spindle, given)
+        let turned = self.st.spindles.position_of(&self.core, spindle, given)?;
+        self.function(turned);
+        Ok(())
+    }
+}
+
+impl Words {
+    /// `AX[Z]=`: the word of an axis, once in a block.
+    fn axis_once(&mut self, core: &Core<'_>, names: &mut AxisNames, named: NamedAxis, given: Given) -> Outcome {
+        if named.axis.is_some_and(|axis| self.axes.contains(axis)) {
+            return core.refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one(&named.text()));
+        }
+        self.add_axis(core, names, named, given)
+    }
+}
+
+impl Words {
+    fn positioning_word(&mut self, core: &Core<'_>, names: &mut AxisNames, named: NamedAxis, given: Given) -> Outcome {
+        match names.printed(core, named, given.span)? {
+            Some(axis) => self.beside.positioning.push(Positioning { axis, given }),
+            None => self.beside.left_out.push((named, given.span)),
+        }
+        Ok(())
+    }
+}
+
+impl Words {
+    /// POSA moves its axis while the next blocks run.
+    fn moves_beside(&mut self, core: &Core<'_>, names: &mut AxisNames, named: NamedAxis, span: Span) -> Outcome {
+        if names.printed(core, named, span)?.is_none() {
+            self.beside.left_out.push((named, span));
+            return Ok(());
+        }
+        core.refuse(span, codes::S9008::axis_that_moves_beside_path_cannot().answer(Answer::key("machine", "axes")))
     }
 }
 

@@ -213,7 +213,9 @@ impl Channel<'_> {
             _ => self.st.feed_of(fad.value),
         };
         if matches!(feed, Feed::PerRevolution(_)) {
-            self.master_feeds(fad.span);
+            if !self.capture.is_some() {
+                self.st.spindles.master_feeds(&self.core, fad.span);
+            }
         }
         feed
     }
@@ -384,7 +386,7 @@ impl Channel<'_> {
         if self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
             return;
         }
-        self.cuts_in_between();
+        self.left.cuts(self.capture.is_some());
         let mv = Move { end, path, side, coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
     }

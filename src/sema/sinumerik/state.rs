@@ -11,7 +11,6 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
 
-use super::{Channel, Core};
 use super::angle_lines::Pair;
 use super::corners::Corners;
 use super::diameter::Diameter;
@@ -31,6 +30,7 @@ use super::tapping::Taps;
 use super::threads::Threads;
 use super::tool::{CompensationState, ToolInUse};
 use super::transformation::Transformed;
+use super::{Channel, Core};
 
 /// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]
@@ -74,7 +74,7 @@ pub(super) struct State {
 pub(super) struct MachineData {
     pub geometry_axes: [Axis; 3],
     pub lathe: bool,
-    basic_unit: Unit,
+    pub basic_unit: Unit,
     /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
     pub modulo: AxisSet,
 }

@@ -279,7 +279,7 @@ impl Channel<'_> {
         let Some(named) = self.axis_names.find(&name) else {
             return self.core.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
         };
-        self.printed_axis(named, span)?;
+        self.axis_names.printed(&self.core, named, span)?;
         Ok(Val::Axis(named))
     }
 

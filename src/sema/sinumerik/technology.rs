@@ -8,6 +8,7 @@ use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::machine::Axis;
 use crate::text::Span;
 
+use super::spindle::function_of;
 use super::vocabulary::{Address, Indexed};
 use super::words::{MWord, Words};
 use super::{Channel, Outcome, Run};
@@ -85,11 +86,10 @@ impl Channel<'_> {
         if let Some(span) = self.st.compensation.take_open(w.edge_of_new_tool.is_some()) {
             self.select_cutter_or_end(span)?;
         }
-        if let Some(lims) = w.take(Address::Lims) {
-            self.speed_limit(lims, !w.s.is_empty())?;
-        }
         self.speeds(w)?;
-        self.spindle_position(w)?;
+        if let Some(angle) = self.st.spindles.position(&self.core, w)? {
+            self.stops_at_angle(angle, w, 0);
+        }
         for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr] {
             if let Some(given) = w.take(address)
                 && given.value != 0.0
@@ -167,20 +167,20 @@ impl Channel<'_> {
             self.st.spindles.forget_angle();
         }
         if turn.is_some() {
-            self.start_is_known(m.spindle.unwrap_or(self.st.spindles.master()), m.span)?;
+            self.st.spindles.start_is_known(&self.core, m.spindle.unwrap_or(self.st.spindles.master()), m.span)?;
         }
         match m.spindle {
             Some(n) if n != self.st.spindles.master() => {
                 self.core.spindle_number(n, m.span)?;
                 self.st.spindles.set_turn_of(n, turn);
-                self.send_spindle(n, spindle);
+                self.function(function_of(n, spindle));
             }
             _ => {
                 self.st.spindles.set_turn(turn);
                 match spindle {
                     Spindle::Orient(angle) => self.stops_at_angle(angle, w, 1),
                     Spindle::Start(_) | Spindle::Stop | Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => {
-                        self.send_spindle(self.st.spindles.master(), spindle);
+                        self.function(self.st.spindles.function(spindle));
                     }
                 }
             }

@@ -168,7 +168,7 @@ impl Channel<'_> {
             let unit = if self.st.feed_unit() == Unit::Inch.mm() { Unit::Inch } else { Unit::Mm };
             self.core.job.calls_tool_in(unit, self.core.loc(t.span));
         }
-        self.chosen_after_left_out(number);
+        self.left.chosen(&mut self.core, number);
         self.st.tool.choose(number);
         let settings = &self.core.job.settings.tools;
         if settings.complete && number != 0 && settings.called(number).is_none() {
@@ -233,7 +233,7 @@ impl Channel<'_> {
         }
         let printed = self.core.job.settings.tools.printed_number(number);
         self.st.tool.change_to(number);
-        self.changed_after_left_out();
+        self.left.changed();
         self.function(Function::ToolChange { number: printed });
         // A tool of another length.
         self.forget_tip(By::ToolChange);

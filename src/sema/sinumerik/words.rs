@@ -341,7 +341,7 @@ impl Run<'_> {
             return self.channel.core.refuse(word.span, codes::S2016::address_r_has_no_meaning());
         }
         if let Some(named) = self.channel.axis_names.letter(letter) {
-            return self.channel.axis_word(words, named, given);
+            return words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given);
         }
         match letter {
             b'G' => self.g_word(words, given),
