@@ -223,7 +223,7 @@ impl Channel<'_> {
             w.axes.contains(first) || w.axes.contains(second)
         };
         self.check_offsets(w)?;
-        self.check_start_of_compensation(interpolation, in_plane, span)?;
+        self.st.compensation.moves(&self.core, self.st.side(), interpolation, in_plane, span)?;
         if interpolation == GCode::G33 {
             self.st.corners.none_at_thread(&self.core, w, span)?;
         }

@@ -79,7 +79,7 @@ impl Channel<'_> {
         if let Some(capture) = &mut self.capture {
             return capture.function(&self.core, &function);
         }
-        if self.st.compensation.is_leaving() && self.leaves_in_front_of(&function).is_err() {
+        if self.st.compensation.is_leaving() && self.st.compensation.leaves_before(&self.core, &function).is_err() {
             return;
         }
         let origin = self.core.here.origin;

@@ -118,7 +118,7 @@ impl Run<'_> {
             Outer::Unrelated => return self.channel.core.unrelated(place, "G500 stands beside"),
             // A contour that is only named moves nothing.
             Outer::Basic | Outer::Printed(_) if !moves => {}
-            Outer::Basic | Outer::Printed(_) => self.channel.note_outer(),
+            Outer::Basic | Outer::Printed(_) => self.channel.st.offsets.note_move(&self.channel.core),
         }
         self.channel.no_cycle_by_time(place)?;
         if moves {

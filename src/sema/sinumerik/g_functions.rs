@@ -24,7 +24,8 @@ impl Channel<'_> {
         if let Some(span) = w.dynamics {
             self.core.dynamics_are_left_out(span);
         }
-        self.smoothing_words(w);
+        self.st.smoothing.program(&self.core, &self.st.codes, w);
+        self.send_smoothing();
         Ok(())
     }
 
@@ -46,7 +47,10 @@ impl Channel<'_> {
                     self.plane_change(code, span)?;
                 }
             }
-            Group::Compensation => self.compensation_code(code, span)?,
+            Group::Compensation => {
+                let st = &mut self.st;
+                st.compensation.select(&self.core, &mut st.codes, st.path.is_computed(), code, span)?;
+            }
             Group::WorkOffset => self.work_offset(code.index, span)?,
             Group::FeedType => self.feed_code(code, span)?,
             Group::Diameter => {

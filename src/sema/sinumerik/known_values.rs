@@ -60,9 +60,9 @@ impl Channel<'_> {
     /// The value of `$NAME[args]`, if the program or `[tools]` determine it.
     pub(super) fn known_value(&mut self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
         match word {
-            "$P_AD" | "$P_TOOLL" | "$P_TOOLR" if self.edge_was_rewritten() => {
+            "$P_AD" | "$P_TOOLL" | "$P_TOOLR" if self.st.tool.is_rewritten() => {
                 let number = self.st.tool.active().unwrap_or(0);
-                self.edge_is_as_selected(number, self.st.tool.edge_or_first(), span)?;
+                self.st.tool.is_as_selected(&self.core, number, self.st.tool.edge_or_first(), span)?;
                 Ok(None)
             }
             "$P_S" if self.left.speed.is_some() => {
@@ -110,7 +110,9 @@ impl Channel<'_> {
                 Some(if is_number { Val::Int(value as i32) } else { Val::Real(value / self.st.feed_unit()) })
             }
             "$TC_TP2" | "$P_TOOLEXIST" if !is_written() => self.told_of_tool(word, args),
-            "$P_TOOLR" => self.known_radius().map(|radius| Val::Real(radius / self.st.feed_unit())),
+            "$P_TOOLR" => {
+                self.st.known_radius(self.core.job.settings).map(|radius| Val::Real(radius / self.st.feed_unit()))
+            }
             _ => None,
         }
     }

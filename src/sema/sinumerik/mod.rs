@@ -286,7 +286,9 @@ impl<'a> Interpreter<'a> for Run<'a> {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.channel.lane = Lane::Closed;
             self.execute_any(block, text);
-            self.channel.block_stop_ends();
+            if self.channel.st.smoothing.block_ends() {
+                self.channel.send_smoothing();
+            }
             self.channel.lane = self.channel.open_lane();
         }
     }
@@ -360,7 +362,7 @@ impl Run<'_> {
         }
         // What went wrong was reported; the next block may show more.
         if self.statement(block, text).is_err() {
-            self.channel.begin_no_compensation();
+            self.channel.st.compensation.end_unselected(&mut self.channel.st.codes);
         }
     }
 

@@ -33,7 +33,7 @@ impl Channel<'_> {
         if self.soft.is_some() && self.soft_element(end, &path) {
             return;
         }
-        self.note_outer();
+        self.st.offsets.note_move(&self.core);
         if self.st.plane() != Plane::Xy {
             self.st.length_acts_along_z(&self.core, self.capture.is_some());
         }
@@ -120,7 +120,7 @@ impl Channel<'_> {
         }
         self.leaves_touched(end.known(), code == GCode::G0)?;
         self.st.offsets.moves_in_machine();
-        self.machine_moves_beside_g500(span);
+        self.st.offsets.machine_moves_beside_g500(&self.core, span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
         if self.core.resolves() {

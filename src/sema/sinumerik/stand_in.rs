@@ -233,7 +233,7 @@ impl Channel<'_> {
             }
             None | Some(Val::Missing) => self.core.refuse(span, codes::S2043::has_no_argument(&name, &place)),
             Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
-                Some(number) => self.tool_by_number(number as u32, span),
+                Some(number) => self.core.tool_by_number(number as u32, span),
                 None => self.core.refuse(span, codes::S2043::argument_of_is_no_tool(&place, &name)),
             },
         }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, codes};
+use crate::diag::codes;
 use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Frame, Side};
@@ -11,7 +11,9 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
 
+use super::Core;
 use super::angle_lines::Pair;
+use super::compensation::CompensationState;
 use super::corners::Corners;
 use super::diameter::Diameter;
 use super::editor_contour::Stored;
@@ -28,9 +30,8 @@ use super::system_variables::SystemVariables;
 use super::tangent::Heading;
 use super::tapping::Taps;
 use super::threads::Threads;
-use super::tool::{CompensationState, ToolInUse};
+use super::tool::ToolInUse;
 use super::transformation::Transformed;
-use super::{Channel, Core};
 
 /// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]
@@ -82,9 +83,9 @@ pub(super) struct MachineData {
 /// What SAVE brings back.
 #[derive(Debug, Clone)]
 pub(super) struct Saved {
-    codes: ActiveCodes,
-    smoothing: Smoothing,
-    frames: SavedFrames,
+    pub codes: ActiveCodes,
+    pub smoothing: Smoothing,
+    pub frames: SavedFrames,
 }
 
 impl State {
@@ -186,11 +187,7 @@ impl State {
     }
 
     pub fn side(&self) -> Side {
-        match self.codes.of(Group::Compensation) {
-            GCode::G41 => Side::Left,
-            GCode::G42 => Side::Right,
-            _ => Side::None,
-        }
+        self.codes.side()
     }
 
     /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
@@ -283,44 +280,6 @@ impl State {
         if turned(next) && !turned(&self.ctx.frame) {
             let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(core.here.origin.loc);
             core.report(found.help("check that this is meant; most often another axis is"));
-        }
-    }
-}
-
-impl Channel<'_> {
-    pub(super) fn restore(&mut self, saved: Saved) {
-        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
-        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
-        self.st.codes = saved.codes;
-        self.st.smoothing.restore(saved.smoothing);
-        self.st.frames.set_programmable(saved.frames.programmable);
-        self.st.set_plane(plane);
-        if !self.st.is(offset) {
-            // The work offset of the call comes back, whatever MD 10617 says.
-            let _: super::Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
-        } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
-            self.restore_offset_frame(saved.frames.settable);
-        }
-        self.st.refresh_frame(&self.core);
-        if changed {
-            self.st.feed_mode_changed();
-        }
-        self.send_smoothing();
-    }
-
-    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
-    fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
-        let chosen = self.core.job.settings.control.sinumerik.save_restores_offset;
-        if chosen == Some(true) {
-            self.st.frames.set_settable(frame);
-        } else if chosen.is_none() {
-            let found = codes::S9018::program_with_save_changed_frame_of_work().at(self.core.here.origin.loc);
-            self.core.report(
-                found.help(
-                    Answer::key("control", "md10617")
-                        .help("set `[control] md10617`, or select the offset again in the calling program"),
-                ),
-            );
         }
     }
 }

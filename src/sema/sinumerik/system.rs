@@ -183,7 +183,7 @@ impl Channel<'_> {
                 };
                 self.core.note_tool_data(&word, span);
                 let key = system_key(&word, args);
-                self.radius_is_written(&word, &key);
+                self.st.tool.is_written(&word, &key);
                 self.st.system.set(key, value);
                 Ok(())
             }
@@ -210,8 +210,8 @@ impl Channel<'_> {
             self.st.refresh_frame(&self.core);
         } else {
             self.core.resolved_offset_note(span);
-            self.resolves_offsets(span)?;
-            self.counts_from(Outer::Basic, Some(frame));
+            self.st.offsets.resolve(&self.core, &mut self.st.position, span)?;
+            self.st.counts_from(&self.core, Outer::Basic, Some(frame));
         }
         Ok(())
     }

@@ -357,7 +357,7 @@ impl Channel<'_> {
             st.taps.come_out(&self.core, &st.spindles, way, span)?;
         }
         st.spindles.stand_after_tap(&self.core, code, span);
-        self.note_outer();
+        self.st.offsets.note_move(&self.core);
         if self.st.plane() != Plane::Xy {
             self.st.length_acts_along_z(&self.core, self.capture.is_some());
         }

@@ -3,8 +3,8 @@
 //! Source: S 0, 2.12, 2.15, 4.7 (docs/sources.md).
 
 use crate::diag::{Answer, codes};
-use crate::ir::Function;
 use crate::ir::function::{Coolant, Spindle, Turn};
+use crate::ir::{Function, Side};
 use crate::machine::Axis;
 use crate::text::Span;
 
@@ -76,15 +76,21 @@ impl Channel<'_> {
             if w.m.iter().any(|m| m.number == 6) {
                 w.edge_of_new_tool = Some(d);
             } else {
-                self.edge(d)?;
+                self.edge_number(d.value, d.span)?;
             }
         }
         let shaped = w.get(Address::Offn).is_some() || w.get(Address::Disc).is_some();
         if shaped {
-            self.shape_words(w)?;
+            let is_on = self.st.side() != Side::None && !self.st.compensation.waits();
+            self.st.path.shape(&self.core, w, self.st.codes.length_unit(), is_on)?;
         }
         if let Some(span) = self.st.compensation.take_open(w.edge_of_new_tool.is_some()) {
-            self.select_cutter_or_end(span)?;
+            let selected = self.select_cutter(span);
+            if selected.is_err() {
+                // It does not come into force.
+                self.st.compensation.end(&mut self.st.codes);
+            }
+            selected?;
         }
         self.speeds(w)?;
         if let Some(angle) = self.st.spindles.position(&self.core, w)? {
@@ -103,7 +109,7 @@ impl Channel<'_> {
             return self.core.refuse(given.span, codes::P9011::orientable_tool_carriers_cannot_be_printed());
         }
         if self.st.path.is_computed() && (!w.codes.is_empty() || shaped) {
-            self.rules_change(w)?;
+            self.st.rules_change(&self.core, w)?;
         }
         if let Some(span) = w.h {
             self.core.say_once(span, codes::S8005::h_functions_are_for_machines_own_control());
@@ -119,7 +125,7 @@ impl Channel<'_> {
         if w.m.iter().any(|m| m.number == 6) {
             self.change_tool()?;
             if let Some(d) = w.edge_of_new_tool {
-                self.edge(d)?;
+                self.edge_number(d.value, d.span)?;
             }
         }
         let turning = |m: &&MWord| matches!(m.number, 3..=5);
