@@ -102,7 +102,7 @@ impl Run<'_> {
             && let Some((_, span)) =
                 [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
         {
-            return self.channel.measures_beside(probe, span);
+            return probe.stands_beside(&self.channel.core, span);
         }
         if self.codes_of_block(w)? {
             return Ok(());
@@ -250,11 +250,12 @@ impl Channel<'_> {
     /// The motion of the block, as far as the probe lets it be printed.
     fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         match w.probe {
-            Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false),
+            Some(probe) if !probe.whole_way && !self.core.never_touches() => self.probe_block(w, probe).map(|()| false),
             Some(probe) => {
                 self.may_leave_probe_out(probe)?;
                 let moved = self.motion(w, block)?;
-                Ok(self.measured_on_the_way(probe, moved))
+                self.measured.on_the_way(&self.core, &mut self.st.system, probe, moved);
+                Ok(moved)
             }
             None => self.motion(w, block),
         }

@@ -200,7 +200,7 @@ impl Channel<'_> {
         let (ways, remarks): (Vec<_>, Vec<_>) =
             call.remarks().into_iter().partition(|remark| matches!(remark.kind, Kind::Way | Kind::Open));
         if takes_feed {
-            self.feed_kind_is_said();
+            self.st.feed.say_kind(&self.core);
         }
         self.say_remarks(remarks);
         for Elsewhere { place, fault, call } in elsewhere {

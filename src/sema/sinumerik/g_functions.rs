@@ -52,7 +52,7 @@ impl Channel<'_> {
                 st.compensation.select(&self.core, &mut st.codes, st.path.is_computed(), code, span)?;
             }
             Group::WorkOffset => self.work_offset(code.index, span)?,
-            Group::FeedType => self.feed_code(code, span)?,
+            Group::FeedType => self.st.feed_code(&self.core, code, span)?,
             Group::Diameter => {
                 if code != GCode::DIAMOF && self.core.job.settings.machine.diameter_axis.is_none() {
                     return self.core.no_diameter_axis(span);

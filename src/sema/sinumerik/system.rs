@@ -142,7 +142,7 @@ impl Channel<'_> {
             self.says_unused(&key, &value, span);
             return Ok(value);
         }
-        if let Some(value) = self.untouched_value(&word, &key, span)? {
+        if let Some(value) = self.measured.untouched_value(&self.core, &self.st.system, &word, &key, span)? {
             self.says_unused(&key, &value, span);
             return Ok(value);
         }
@@ -155,14 +155,14 @@ impl Channel<'_> {
         }
         if let Some(value) = self.core.job.settings.variables.get(&key).copied() {
             if is_measured(&word) {
-                self.says_given(&key, value, false, span);
+                self.measured.says_given(&self.core, &key, value, false, span);
             }
             return Ok(Val::Real(value));
         }
         let help = self.tool_is_asked(&word, args, &key).unwrap_or_else(|| {
             let meaning = meaning_of(&word, args).unwrap_or_default();
             let help = Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
-            if word == "$AC_MEA" && !self.never_touches() { or_untouched(help) } else { help }
+            if word == "$AC_MEA" && !self.core.never_touches() { or_untouched(help) } else { help }
         });
         self.core.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
     }
