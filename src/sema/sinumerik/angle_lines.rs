@@ -15,6 +15,7 @@ use crate::text::{Loc, Span};
 
 use super::g_groups::GCode;
 use super::offsets::Outer;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Mode, Words};
 use super::{Channel, Core, Outcome, Reported};
@@ -146,6 +147,74 @@ impl Pair {
     }
 }
 
+impl State {
+    /// A line without an end waits for the line behind it.
+    fn first_line(
+        &mut self,
+        core: &Core<'_>,
+        angle: Deg,
+        end: Pos,
+        path: Path,
+        corner: Option<&Corner>,
+        span: Span,
+    ) -> Outcome {
+        let plane = self.plane();
+        let [first, second, _] = self.roles();
+        self.pair.lost = true;
+        if self.position.in_plane(plane).is_none() {
+            let axis = if self.position.get(first).is_none() { first } else { second };
+            return self.unknown_axis(core, axis, span);
+        }
+        match self.offsets.outer() {
+            Outer::Machine => {
+                let message = "a contour definition cannot be printed in machine coordinates";
+                return core.in_machine_only_lines(span, message);
+            }
+            Outer::Unrelated => return core.unrelated(span, "G500 stands beside"),
+            Outer::Basic | Outer::Printed(_) => {}
+        }
+        self.pair.lost = false;
+        self.pair.first = Some(Box::new(FirstLine {
+            angle,
+            plane,
+            rest: end,
+            path,
+            side: self.side_of_move(),
+            corner: corner.copied(),
+            origin: core.here.origin,
+            functions: Vec::new(),
+        }));
+        Ok(())
+    }
+
+    /// One end coordinate and the angle.
+    fn one_coordinate(
+        &self,
+        core: &Core<'_>,
+        end: &Pos,
+        angle: Deg,
+        plane: Plane,
+        axes: [Axis; 2],
+        span: Span,
+    ) -> Outcome<Pos> {
+        let Some(start) = self.position.in_plane(plane) else {
+            let axis = if self.position.get(axes[0]).is_none() { axes[0] } else { axes[1] };
+            return self.unknown_axis(core, axis, span);
+        };
+        let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
+        let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
+        let Ok(point) = ended(start, &data, None) else {
+            return core.refuse(span, codes::S2070::end_coordinate_cannot_be_reached());
+        };
+        if (point - start).dot(&angle.unit()) < -BACK {
+            return core.refuse(span, codes::S2070::end_coordinate_lies_behind_start());
+        }
+        let mut made = *end;
+        made.set_in_plane(plane, point);
+        Ok(made)
+    }
+}
+
 impl Channel<'_> {
     /// A line with ANG, or the line behind one without an end.
     pub(super) fn angle_block(&mut self, w: &mut Words, path: Path, corner: Option<&Corner>) -> Outcome {
@@ -181,63 +250,13 @@ impl Channel<'_> {
             // The first line was refused.
             ([true, true], None) if lost => Err(Reported),
             ([true, true], None) => self.core.refuse(given.span, codes::S2070::both_end_coordinates()),
-            ([false, false], None) => self.first_line(angle, end, path, corner, given.span),
+            ([false, false], None) => self.st.first_line(&self.core, angle, end, path, corner, given.span),
             _ => {
-                let end = self.one_coordinate(&end, angle, plane, [first, second], given.span)?;
+                let end = self.st.one_coordinate(&self.core, &end, angle, plane, [first, second], given.span)?;
                 self.send(&end, path);
                 Ok(())
             }
         }
-    }
-
-    /// A line without an end waits for the line behind it.
-    fn first_line(&mut self, angle: Deg, end: Pos, path: Path, corner: Option<&Corner>, span: Span) -> Outcome {
-        let plane = self.st.plane();
-        let [first, second, _] = self.st.roles();
-        self.st.pair.lost = true;
-        if self.st.position.in_plane(plane).is_none() {
-            let axis = if self.st.position.get(first).is_none() { first } else { second };
-            return self.st.unknown_axis(&self.core, axis, span);
-        }
-        match self.st.offsets.outer() {
-            Outer::Machine => {
-                let message = "a contour definition cannot be printed in machine coordinates";
-                return self.core.in_machine_only_lines(span, message);
-            }
-            Outer::Unrelated => return self.core.unrelated(span, "G500 stands beside"),
-            Outer::Basic | Outer::Printed(_) => {}
-        }
-        self.st.pair.lost = false;
-        self.st.pair.first = Some(Box::new(FirstLine {
-            angle,
-            plane,
-            rest: end,
-            path,
-            side: self.st.side_of_move(),
-            corner: corner.copied(),
-            origin: self.core.here.origin,
-            functions: Vec::new(),
-        }));
-        Ok(())
-    }
-
-    /// One end coordinate and the angle.
-    fn one_coordinate(&mut self, end: &Pos, angle: Deg, plane: Plane, axes: [Axis; 2], span: Span) -> Outcome<Pos> {
-        let Some(start) = self.st.position.in_plane(plane) else {
-            let axis = if self.st.position.get(axes[0]).is_none() { axes[0] } else { axes[1] };
-            return self.st.unknown_axis(&self.core, axis, span);
-        };
-        let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
-        let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
-        let Ok(point) = ended(start, &data, None) else {
-            return self.core.refuse(span, codes::S2070::end_coordinate_cannot_be_reached());
-        };
-        if (point - start).dot(&angle.unit()) < -BACK {
-            return self.core.refuse(span, codes::S2070::end_coordinate_lies_behind_start());
-        }
-        let mut made = *end;
-        made.set_in_plane(plane, point);
-        Ok(made)
     }
 
     fn second_line(&mut self, pending: Box<FirstLine>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {

@@ -9,7 +9,9 @@ use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::corners::corner_of;
 use super::g_groups::{GCode, Group};
+use super::state::State;
 use super::vocabulary::{Address, Meaning};
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported, Run};
@@ -122,7 +124,7 @@ impl Run<'_> {
         if moved && self.channel.st.corners.open.site() == corner_before {
             self.channel.st.corners.open.close();
         }
-        self.channel.block_behind_corner(moved)?;
+        self.channel.st.corners.pass_block(&self.channel.core, moved)?;
         self.channel.core.all_words_fit(w)?;
         if self.channel.st.modal_call.is_on() {
             w.moves_what_is_left_out(&self.channel.core)?;
@@ -164,7 +166,7 @@ impl Channel<'_> {
     /// The motion of the block. True if axes moved along a path.
     fn motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         let interpolation = self.st.codes.of(Group::Motion);
-        self.modal_contour_words(w)?;
+        self.st.modal_contour_words(&self.core, w)?;
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
         let round = matches!(interpolation, GCode::G2 | GCode::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
@@ -186,7 +188,7 @@ impl Channel<'_> {
             }
         }
         if !moves {
-            return self.without_path(w, block.span);
+            return without_path(&self.core, w, block.span);
         }
         if interpolation != GCode::G33 {
             self.st.threads.end_chain();
@@ -205,29 +207,21 @@ impl Channel<'_> {
         self.path_block(w, interpolation, polar, block.span).map(|()| true)
     }
 
-    /// A block of words that names no place to go to.
-    fn without_path(&self, w: &Words, span: Span) -> Outcome<bool> {
-        if self.core.has_corner_words(w) {
-            return self.core.no_corner(span);
-        }
-        if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
-            self.core.control_words_are_left_out(span);
-        }
-        Ok(false)
-    }
-
     /// Checks the path of a block, sends it, and the corner behind it.
     fn path_block(&mut self, w: &mut Words, interpolation: GCode, polar: bool, span: Span) -> Outcome {
         let in_plane = polar || w.get(Address::Ang).is_some() || {
             let [first, second, _] = self.st.roles();
             w.axes.contains(first) || w.axes.contains(second)
         };
-        self.check_offsets(w)?;
+        // A contour is a shape: no tool follows it.
+        if self.capture.is_none() {
+            check_offsets(&self.core, &self.st, w)?;
+        }
         self.st.compensation.moves(&self.core, self.st.side(), interpolation, in_plane, span)?;
         if interpolation == GCode::G33 {
             self.st.corners.none_at_thread(&self.core, w, span)?;
         }
-        let corner = self.corner_words(w)?;
+        let corner = corner_of(&self.core, &self.st, w)?;
         if !matches!(interpolation, GCode::G0 | GCode::G1) {
             self.st.pair.only_lines(&self.core, &mut self.st.position, span)?;
         }
@@ -261,21 +255,6 @@ impl Channel<'_> {
         }
     }
 
-    /// Under D0 the control counts from the spindle nose, which the target cannot say.
-    fn check_offsets(&self, w: &Words) -> Outcome {
-        // A contour is a shape: no tool follows it.
-        let off = !self.capture.is_some() && self.st.tool.is_without_offset();
-        if !off || self.st.offsets.in_machine() {
-            return Ok(());
-        }
-        let [_, _, third] = self.st.roles();
-        let lengths = if self.st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
-        match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
-            Some(given) => self.core.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
-            None => Ok(()),
-        }
-    }
-
     fn line_block(
         &mut self,
         w: &mut Words,
@@ -287,9 +266,34 @@ impl Channel<'_> {
         if w.get(Address::Ang).is_some() || self.st.pair.is_open() {
             return self.angle_block(w, path, corner);
         }
-        let end = if polar { self.polar_end(w)? } else { self.st.targets(&self.core, w)? };
+        let end = if polar { self.st.polar_end(&mut self.core, w)? } else { self.st.targets(&self.core, w)? };
         self.send(&end, path);
         Ok(())
+    }
+}
+
+/// A block of words that names no place to go to.
+fn without_path(core: &Core<'_>, w: &Words, span: Span) -> Outcome<bool> {
+    if w.shapes_corner() {
+        return core.no_corner(span);
+    }
+    if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
+        core.control_words_are_left_out(span);
+    }
+    Ok(false)
+}
+
+/// Under D0 the control counts from the spindle nose, which the target cannot say.
+fn check_offsets(core: &Core<'_>, st: &State, w: &Words) -> Outcome {
+    let off = st.tool.is_without_offset();
+    if !off || st.offsets.in_machine() {
+        return Ok(());
+    }
+    let [_, _, third] = st.roles();
+    let lengths = if st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
+    match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
+        Some(given) => core.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
+        None => Ok(()),
     }
 }
 

@@ -23,6 +23,7 @@ use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work}
 use super::g_groups::{GCode, Group};
 use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
+use super::transformation::no_turning_cycle_here;
 use super::value::{Val, to_text};
 use super::words::CallWord;
 use super::{Channel, Outcome, Reported, Run};
@@ -103,7 +104,7 @@ impl Run<'_> {
         let place = given.place;
         let moves = !matches!(row.work, Work::NamesContour | Work::Unpublished(_));
         self.begins_executing();
-        self.channel.no_turning_cycle_here(row.signature.name, place)?;
+        no_turning_cycle_here(&self.channel.core, &self.channel.st, row.signature.name, place)?;
         self.channel.pending_must_be_done(place)?;
         if self.channel.st.side() != Side::None {
             return self.channel.core.refuse(place, codes::P2090::radius_compensation().of(&given.called));

@@ -163,7 +163,7 @@ impl Channel<'_> {
             }
         };
         self.st.codes.activate(code);
-        self.note_heading(&end, &path);
+        self.st.heading.follow(&self.st.position, &end, &path);
         self.core.send_move(&Move { end, path, side: self.st.side_of_move(), coords: Coords::Frame }, &self.st.ctx);
         self.st.position.move_to(&end);
     }

@@ -40,7 +40,7 @@ impl Channel<'_> {
         if self.st.stored.is_some() {
             self.st.note_stored(&self.core, end, &path);
         }
-        self.note_heading(end, &path);
+        self.st.heading.follow(&self.st.position, end, &path);
         let mv = Move { end: *end, path, side: self.st.side_of_move(), coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(end);

@@ -258,7 +258,9 @@ impl Run<'_> {
                 return core.refuse(span, codes::S2021::takes_no_argument(&name));
             }
             Procedure::TransformationOff => {
-                if !self.channel.transformation_off(span)? {
+                let on = self.channel.st.transformation.is_some();
+                self.channel.transformation_ends(span)?;
+                if !on {
                     self.channel.core.control_words_are_left_out(span);
                 }
             }

@@ -32,6 +32,7 @@ use super::tapping::Taps;
 use super::threads::Threads;
 use super::tool::ToolInUse;
 use super::transformation::Transformed;
+use super::vocabulary::Address;
 
 /// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]
@@ -78,6 +79,14 @@ pub(super) struct MachineData {
     pub basic_unit: Unit,
     /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
     pub modulo: AxisSet,
+}
+
+impl MachineData {
+    /// Interpolation parameters with the geometry axes they belong to (MD 20050).
+    pub fn parameters(&self, names: [Address; 3]) -> [(Address, Axis); 3] {
+        let axes = self.geometry_axes;
+        [(names[0], axes[0]), (names[1], axes[1]), (names[2], axes[2])]
+    }
 }
 
 /// What SAVE brings back.

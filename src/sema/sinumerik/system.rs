@@ -204,7 +204,7 @@ impl Channel<'_> {
         let programmable = word == "$P_PFRAME";
         let old = if programmable { Some(self.st.frames.programmable()) } else { self.st.frames.settable() };
         let frame = self.new_frame(old.cloned().unwrap_or_default(), args, value, span)?;
-        self.frame_is_free(span)?;
+        self.st.codes.frame_is_free(&self.core, span)?;
         if programmable {
             self.st.frames.set_programmable(frame);
             self.st.refresh_frame(&self.core);

@@ -361,7 +361,7 @@ impl Channel<'_> {
         if self.st.plane() != Plane::Xy {
             self.st.length_acts_along_z(&self.core, self.capture.is_some());
         }
-        self.note_heading(&end, &Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
+        self.st.heading.follow(&self.st.position, &end, &Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
         self.st.position.move_to(&end);
         if code == GCode::G332 && w.m.iter().any(|m| m.number == COOLANT_OFF) {
             // At the end of the block the tap is back.
