@@ -7,7 +7,7 @@ use crate::geo::arc::{
     Closing, TangentArc, center_by_opening, center_by_radius, centered_between, closing, tangent_arc, tangent_at,
     through,
 };
-use crate::geo::{Plane, Point2, Vec2, length};
+use crate::geo::{Plane, Point2, SAME_POINT, Vec2, direction, length};
 use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::AxisSet;
@@ -159,6 +159,15 @@ impl Heading {
                     *self = Heading::Line(*at);
                 }
             }
+        }
+    }
+
+    /// The direction of the contour where it ends.
+    pub(super) fn direction_at(&self, plane: Plane, at: Point2) -> Option<Vec2> {
+        match *self {
+            Heading::Line(from) => from.in_plane(plane).and_then(|from| direction(at - from, SAME_POINT)),
+            Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
+            _ => None,
         }
     }
 }
