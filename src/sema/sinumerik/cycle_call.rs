@@ -20,13 +20,14 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work};
-use super::g_groups::{GCode, Group};
+use super::g_groups::{ActiveCodes, GCode, Group};
 use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
+use super::state::State;
 use super::transformation::no_turning_cycle_here;
 use super::value::{Val, to_text};
 use super::words::CallWord;
-use super::{Channel, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 use crate::ir::Side;
 
 /// A value of the language as the argument of a parameter.
@@ -121,7 +122,7 @@ impl Run<'_> {
             Outer::Basic | Outer::Printed(_) if !moves => {}
             Outer::Basic | Outer::Printed(_) => self.channel.st.offsets.note_move(&self.channel.core),
         }
-        self.channel.no_cycle_by_time(place)?;
+        self.channel.st.codes.no_cycle_by_time(&self.channel.core, place)?;
         if moves {
             self.channel.speed_is_known()?;
             if self.channel.st.codes.per_revolution() {
@@ -167,11 +168,47 @@ impl Run<'_> {
             let hole = self.channel.hole_of(row, &given)?;
             let feed_of_block = drilling.modal_feed;
             let under = (self.channel.st.plane(), self.channel.st.length_unit());
-            let (here, spindle) = (self.channel.core.here, self.channel.spindle_state());
+            let (here, spindle) = (self.channel.core.here, self.channel.st.spindle_state());
             let made = ModalCycle { hole, given, here, spindle, feed_of_block, under, refused: false };
             self.channel.st.modal_call.set_cycle(Box::new(made));
             Ok(())
         }))
+    }
+}
+
+impl State {
+    fn spindle_was_told(&mut self, told: &SpindleTold) {
+        let printed = told.reduced.or(match told.speed {
+            Some(Spindle::Speed(turns)) => Some(turns),
+            _ => None,
+        });
+        if let Some(turns) = printed {
+            self.spindles.set_turns(turns, turns);
+            // The feed keeps its kind.
+            match self.codes.of(Group::FeedType) {
+                GCode::G96 => self.codes.activate(GCode::G97),
+                GCode::G961 => self.codes.activate(GCode::G971),
+                _ => {}
+            }
+        }
+        if told.turn.is_some() {
+            self.spindles.set_turn(told.turn);
+        }
+    }
+
+    fn spindle_state(&self) -> SpindleState {
+        let (spindles, tool) = (&self.spindles, &self.tool);
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.codes.per_revolution(), tool.active(), tool.edge())
+    }
+}
+
+impl ActiveCodes {
+    fn no_cycle_by_time(&self, core: &Core<'_>, place: impl Into<Where>) -> Outcome {
+        if !self.is(GCode::G93) {
+            return Ok(());
+        }
+        core.refuse(place, codes::S9009::moves_of_cycle_have_no_share_of_time())
     }
 }
 
@@ -180,10 +217,13 @@ impl Channel<'_> {
     fn run_plan(&mut self, row: &Row, given: &Given, plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>) -> Outcome {
         let (acts, ways) = self.planned(given, plan)?;
         if row.needs.contains(&cycles::Need::KnownPlace) {
-            self.turning_position(given.place)?;
+            let at = |axis| self.st.position.get(axis);
+            if let Some(axis) = [Axis::X, Axis::Z].into_iter().find(|axis| at(*axis).is_none()) {
+                return self.st.unknown_axis(&self.core, axis, given.place);
+            }
         }
         self.carry_out(acts)?;
-        self.say_ways(given, ways);
+        say_ways(&self.core, given, ways);
         Ok(())
     }
 
@@ -203,7 +243,7 @@ impl Channel<'_> {
         if takes_feed {
             self.st.feed.say_kind(&self.core);
         }
-        self.say_remarks(remarks);
+        say_remarks(&self.core, remarks);
         for Elsewhere { place, fault, call } in elsewhere {
             self.core.report(fault.at(place).also(self.core.loc(given.place), call));
         }
@@ -216,39 +256,6 @@ impl Channel<'_> {
                 }
                 self.core.refuse(place, *fault)
             }
-        }
-    }
-
-    fn say_remarks(&self, remarks: Vec<Remark>) {
-        for Remark { place, fault, kind } in remarks {
-            if kind == Kind::Once {
-                self.core.say_once(place, fault);
-                continue;
-            }
-            let found = fault.at(self.core.loc(place));
-            if kind == Kind::Each || !self.core.job.diags.knows(&found) {
-                self.core.report(found);
-            }
-        }
-    }
-
-    /// The ways of a call and what it leaves open in one note each, once for all calls of which the same holds.
-    fn say_ways(&self, given: &Given, remarks: Vec<Remark>) {
-        let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
-        for Remark { fault, kind, .. } in remarks {
-            if kind == Kind::Open {
-                open.push(fault.message);
-                helps.push(fault.help.map(|help| help.text).unwrap_or_default());
-            } else if !ways.contains(&fault.message) {
-                ways.push(fault.message);
-            }
-        }
-        if !open.is_empty() {
-            let fault = codes::S8230::call_leaves_open(&given.called, &open.join("; "));
-            self.core.say_once(given.place, fault.help(helps.join("; ")));
-        }
-        if !ways.is_empty() {
-            self.core.say_once(given.place, codes::P8101::ways_of_call(&given.called, &ways.join("; ")));
         }
     }
 
@@ -273,23 +280,17 @@ impl Channel<'_> {
                     self.send_cycle(&cycle);
                 }
                 Act::From(front, cycle) => {
-                    let end = self.in_plane(front);
+                    let end = in_plane(self.st.plane(), front);
                     self.send(&end, Path::Rapid);
                     self.send_cycle(&cycle);
                     // The control may end where it came from.
                     self.st.position.forget(end.known());
                 }
                 Act::Drill(places) => self.drill_pattern(&places)?,
-                Act::Spindle(told) => self.spindle_was_told(&told),
+                Act::Spindle(told) => self.st.spindle_was_told(&told),
             }
         }
         Ok(())
-    }
-
-    fn in_plane(&self, point: Point2) -> Pos {
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.st.plane(), point);
-        end
     }
 
     /// Goes to each position and runs the modal cycle there.
@@ -298,36 +299,11 @@ impl Channel<'_> {
         self.core.budget.take(places.len() as u64 / 16);
         for place in places {
             self.core.goes_on()?;
-            let end = self.in_plane(*place);
+            let end = in_plane(self.st.plane(), *place);
             self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
         Ok(())
-    }
-
-    fn spindle_was_told(&mut self, told: &SpindleTold) {
-        let printed = told.reduced.or(match told.speed {
-            Some(Spindle::Speed(turns)) => Some(turns),
-            _ => None,
-        });
-        if let Some(turns) = printed {
-            self.st.spindles.set_turns(turns, turns);
-            // The feed keeps its kind.
-            match self.st.codes.of(Group::FeedType) {
-                GCode::G96 => self.st.codes.activate(GCode::G97),
-                GCode::G961 => self.st.codes.activate(GCode::G971),
-                _ => {}
-            }
-        }
-        if told.turn.is_some() {
-            self.st.spindles.set_turn(told.turn);
-        }
-    }
-
-    fn spindle_state(&self) -> SpindleState {
-        let (spindles, tool) = (&self.st.spindles, &self.st.tool);
-        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
-        (speed, turn, cutting, self.st.codes.per_revolution(), tool.active(), tool.edge())
     }
 
     /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
@@ -342,7 +318,7 @@ impl Channel<'_> {
     }
 
     fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
-        self.no_cycle_by_time(Where::Block)?;
+        self.st.codes.no_cycle_by_time(&self.core, Where::Block)?;
         self.speed_is_known()?;
         if self.st.codes.per_revolution() {
             if !self.capture.is_some() {
@@ -357,7 +333,7 @@ impl Channel<'_> {
         let feed_of_block = modal.feed_of_block && !zones;
         let axis = modal.hole.axis;
         self.asked(&modal.given, |call| call.no_diameters(axis, Where::Block))?;
-        let same = modal.spindle == self.spindle_state() && !zones;
+        let same = modal.spindle == self.st.spindle_state() && !zones;
         let mut hole = if same { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
@@ -373,16 +349,9 @@ impl Channel<'_> {
         self.core.here = here;
         let hole = made?;
         modal.hole = hole.clone();
-        modal.spindle = self.spindle_state();
+        modal.spindle = self.st.spindle_state();
         self.st.modal_call.set_cycle(modal);
         Ok(hole)
-    }
-
-    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
-        if !self.st.is(GCode::G93) {
-            return Ok(());
-        }
-        self.core.refuse(place, codes::S9009::moves_of_cycle_have_no_share_of_time())
     }
 
     /// In the plane across the hole, which may be another one than the active one.
@@ -416,13 +385,43 @@ impl Channel<'_> {
             });
         }
     }
+}
 
-    /// The tool stands in a known place of the turning plane.
-    fn turning_position(&mut self, place: Where) -> Outcome {
-        if self.st.position.in_plane(Plane::Zx).is_some() {
-            return Ok(());
+fn say_remarks(core: &Core<'_>, remarks: Vec<Remark>) {
+    for Remark { place, fault, kind } in remarks {
+        if kind == Kind::Once {
+            core.say_once(place, fault);
+            continue;
         }
-        let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
-        self.st.unknown_axis(&self.core, axis, place)
+        let found = fault.at(core.loc(place));
+        if kind == Kind::Each || !core.job.diags.knows(&found) {
+            core.report(found);
+        }
     }
+}
+
+/// The ways of a call and what it leaves open in one note each, once for all calls of which the same holds.
+fn say_ways(core: &Core<'_>, given: &Given, remarks: Vec<Remark>) {
+    let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
+    for Remark { fault, kind, .. } in remarks {
+        if kind == Kind::Open {
+            open.push(fault.message);
+            helps.push(fault.help.map(|help| help.text).unwrap_or_default());
+        } else if !ways.contains(&fault.message) {
+            ways.push(fault.message);
+        }
+    }
+    if !open.is_empty() {
+        let fault = codes::S8230::call_leaves_open(&given.called, &open.join("; "));
+        core.say_once(given.place, fault.help(helps.join("; ")));
+    }
+    if !ways.is_empty() {
+        core.say_once(given.place, codes::P8101::ways_of_call(&given.called, &ways.join("; ")));
+    }
+}
+
+fn in_plane(plane: Plane, point: Point2) -> Pos {
+    let mut end = Pos::UNKNOWN;
+    end.set_in_plane(plane, point);
+    end
 }

@@ -5,7 +5,6 @@
 use crate::diag::{Answer, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
-use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::diameter::Diameter;
@@ -31,13 +30,13 @@ impl State {
     /// The end point of one axis in mm (radius) or degrees.
     #[inline]
     pub(super) fn target(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
-        if axis.is_rotary() {
-            return self.rotary_target(core, axis, given);
-        }
+        let rotary = axis.is_rotary();
         let incremental = match given.mode {
-            Mode::Plain => self.is(GCode::G91),
-            Mode::Ac | Mode::Dac | Mode::Rac => false,
-            Mode::Ic | Mode::Dic | Mode::Ric => true,
+            Mode::Plain if self.is(GCode::G91) => true,
+            Mode::Ic => true,
+            _ if rotary => return self.rotary_target(core, axis, given),
+            Mode::Plain | Mode::Ac | Mode::Dac | Mode::Rac => false,
+            Mode::Dic | Mode::Ric => true,
             Mode::Dc | Mode::Acp | Mode::Acn => {
                 let alarm = match given.mode {
                     Mode::Dc => 16800,
@@ -48,7 +47,7 @@ impl State {
             }
             Mode::Quick | Mode::PerMinute | Mode::PerTurn => return core.does_not_fit(given.span),
         };
-        let value = self.length(core, axis, given, incremental)?;
+        let value = if rotary { given.value } else { self.length(core, axis, given, incremental)? };
         if incremental { Ok(self.increment_base(core, axis, given.span)? + value) } else { Ok(value) }
     }
 
@@ -101,29 +100,5 @@ impl State {
             Answer::key("control", "sd42440").help("set `[control] sd42440`, or program the position absolutely"),
         ));
         Ok(chosen)
-    }
-
-    pub(super) fn unknown_axis<T>(&self, core: &Core<'_>, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
-        if self.position.is_lost(axis) {
-            return Err(Reported);
-        }
-        self.no_position(core, axis, place, codes::P2001::where_axis_stands_is_not_known)
-    }
-}
-
-impl Core<'_> {
-    #[inline]
-    pub(super) fn is_diameter_axis(&self, axis: Axis) -> bool {
-        self.job.settings.machine.diameter_axis == Some(axis)
-    }
-
-    pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
-        if let Some(axis) = self.job.settings.machine.diameter_axis {
-            return self.refuse(span, codes::S2060::only_counts_in_diameters(&axis.letter()));
-        }
-        self.refuse(
-            span,
-            codes::S2060::no_diameter_axis_is_configured().answer(Answer::key("machine", "diameter_axis")),
-        )
     }
 }

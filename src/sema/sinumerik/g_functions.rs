@@ -19,7 +19,7 @@ impl Channel<'_> {
             self.modal_code(code, span)?;
         }
         if let Some((indexed, axis, span)) = w.diameter {
-            self.axis_diameter(indexed, axis, span)?;
+            self.st.select_diameter(&self.core, indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
             self.core.dynamics_are_left_out(span);

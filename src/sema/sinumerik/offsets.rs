@@ -4,10 +4,12 @@
 
 use crate::diag::{Answer, codes};
 use crate::ir::{Function, Side};
+use crate::machine::Axis;
+use crate::machine::settings::Datums;
 use crate::sema::common::position::Position;
 use crate::sema::run::{OffsetName, Where};
 
-use super::frames::FrameValue;
+use super::frames::{FrameValue, Frames};
 use super::g_groups::{GCode, Group};
 use super::state::{Saved, State};
 use super::{Channel, Core, Outcome};
@@ -304,6 +306,18 @@ impl Core<'_> {
 fn mixed(core: &Core<'_>, position: &mut Position, place: impl Into<Where>) -> Outcome {
     position.clear();
     core.refuse(place, codes::S9017::program_uses_work_offset_that_it_writes())
+}
+
+impl Frames {
+    /// A work offset as far as it is known: written by the program, or given under `[datums]`.
+    pub(super) fn offset_of(&self, datums: &Datums, number: u8) -> Option<FrameValue> {
+        if let Some(frame) = self.written(number) {
+            return Some(frame.clone());
+        }
+        let values = datums.offsets.get(&offset_word(number))?;
+        let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
+        Some(FrameValue::shifted(&values))
+    }
 }
 
 /// G54 is 1, G57 is 4, G505 is 5.

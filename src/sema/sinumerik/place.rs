@@ -5,17 +5,18 @@
 
 use std::fmt::Display;
 
-use crate::diag::Fault;
+use crate::diag::{Fault, codes};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::hidden::By;
 use crate::sema::run::Where;
 use crate::sema::run::place::{ACTIVE, BASIC, Lack, Unknown, out_of_machine, zero};
+use crate::text::Loc;
 
 use super::machine_place::ToolLength;
 use super::offsets::{Outer, offset_word};
 use super::state::State;
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, Reported};
 
 impl State {
     /// The machine coordinate of the zero that positions in the frame of the program count from.
@@ -69,6 +70,21 @@ impl State {
             && !self.offsets.in_machine()
             && self.frames.settable().is_none_or(|frame| *frame == super::frames::FrameValue::default())
     }
+
+    pub(super) fn unknown_axis<T>(&self, core: &Core<'_>, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
+        if self.position.is_lost(axis) {
+            return Err(Reported);
+        }
+        self.no_position(core, axis, place, codes::P2001::where_axis_stands_is_not_known)
+    }
+
+    /// The tip of another tool, or edge, stands elsewhere.
+    pub(super) fn forget_tip(&mut self, loc: Loc, by: By) {
+        let [_, _, third] = self.roles();
+        let lathe = self.machine.lathe;
+        let axes = if lathe { [Axis::X, Axis::Z].into_iter().collect() } else { AxisSet::of(third) };
+        self.position.forget_tip(axes, by, loc);
+    }
 }
 
 impl Channel<'_> {
@@ -81,15 +97,6 @@ impl Channel<'_> {
             None => Some(value - self.st.zero_in_machine(self.core.job.settings, axis).ok()?),
         });
         self.stand(&places);
-    }
-
-    /// The tip of another tool, or edge, stands elsewhere.
-    pub(super) fn forget_tip(&mut self, by: By) {
-        let [_, _, third] = self.st.roles();
-        let lathe = self.st.machine.lathe;
-        let axes = if lathe { [Axis::X, Axis::Z].into_iter().collect() } else { AxisSet::of(third) };
-        let loc = self.core.here.origin.loc;
-        self.st.position.forget_tip(axes, by, loc);
     }
 
     /// The change is over: axes stand where the configuration says.

@@ -5,11 +5,9 @@
 use crate::diag::{Answer, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
-use crate::machine::Axis;
-use crate::text::Span;
 
 use super::spindle::function_of;
-use super::vocabulary::{Address, Indexed};
+use super::vocabulary::Address;
 use super::words::{MWord, Words};
 use super::{Channel, Outcome, Run};
 
@@ -223,20 +221,6 @@ impl Channel<'_> {
                 return self.core.refuse(m.span, codes::P2007::what_m_does_is_up_to_machine(&number).help(help));
             }
         }
-        Ok(())
-    }
-
-    pub(super) fn axis_diameter(&mut self, indexed: Indexed, axis: Axis, span: Span) -> Outcome {
-        if !self.core.is_diameter_axis(axis) {
-            return self.core.no_diameter_axis(span);
-        }
-        use super::diameter::Diameter;
-        self.st.diameter = match indexed {
-            Indexed::DiameterOn => Some(Diameter::On),
-            Indexed::Diameter90 => Some(Diameter::Absolute),
-            Indexed::DiameterOff => Some(Diameter::Off),
-            _ => None,
-        };
         Ok(())
     }
 }

@@ -217,7 +217,7 @@ impl Channel<'_> {
         self.left.changed();
         self.function(Function::ToolChange { number: printed });
         // A tool of another length.
-        self.forget_tip(By::ToolChange);
+        self.st.forget_tip(self.core.here.origin.loc, By::ToolChange);
         self.stand_after_change();
         Ok(())
     }
@@ -229,7 +229,7 @@ impl Channel<'_> {
         }
         let edge = d as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
-            self.forget_tip(By::Edge);
+            self.st.forget_tip(self.core.here.origin.loc, By::Edge);
         }
         let changes = self.st.tool.edge != Some(edge) || self.st.tool.rewritten;
         if self.st.side() != Side::None && !self.st.compensation.is_starting() && changes {
