@@ -126,9 +126,7 @@ impl Run<'_> {
         if moves {
             self.channel.speed_is_known()?;
             if self.channel.st.codes.per_revolution() {
-                if !self.channel.capture.is_some() {
-                    self.channel.st.spindles.master_feeds(&self.channel.core, place);
-                }
+                self.channel.st.master_feeds(&self.channel.core, place);
             }
         }
         if !matches!(row.work, Work::Hole(_)) {
@@ -321,9 +319,7 @@ impl Channel<'_> {
         self.st.codes.no_cycle_by_time(&self.core, Where::Block)?;
         self.speed_is_known()?;
         if self.st.codes.per_revolution() {
-            if !self.capture.is_some() {
-                self.st.spindles.master_feeds(&self.core, Where::Block);
-            }
+            self.st.master_feeds(&self.core, Where::Block);
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
             return self.core.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
@@ -370,7 +366,7 @@ impl Channel<'_> {
         if self.leaves_touched(AxisSet::of(self.st.roles()[2]), false).is_err() {
             return;
         }
-        self.st.length_acts_along_z(&self.core, self.capture.is_some());
+        self.st.length_acts_along_z(&self.core);
         self.left.cuts(self.capture.is_some());
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;

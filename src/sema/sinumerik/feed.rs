@@ -190,14 +190,12 @@ impl Channel<'_> {
 
     /// The feed of a path block that cuts.
     pub(super) fn cutting_feed(&mut self, w: &mut Words) -> Outcome<Feed> {
-        if self.st.is(GCode::G93) && !self.capture.is_some() {
+        if self.st.is(GCode::G93) && self.capture.is_none() {
             time_of_block(&self.core, self.st.side(), w)?;
         }
         if let Some(fb) = self.core.block_feed(w)? {
             if self.st.codes.per_revolution() {
-                if !self.capture.is_some() {
-                    self.st.spindles.master_feeds(&self.core, fb.span);
-                }
+                self.st.master_feeds(&self.core, fb.span);
             }
             return Ok(self.st.feed_of(fb.value));
         }
@@ -227,9 +225,7 @@ impl Channel<'_> {
                 self.st.feed.say_kind(&self.core);
                 self.st.feed.say_left(&self.core);
                 if matches!(feed, Feed::PerRevolution(_)) {
-                    if !self.capture.is_some() {
-                        self.st.spindles.master_feeds(&self.core, Where::Block);
-                    }
+                    self.st.master_feeds(&self.core, Where::Block);
                     if self.st.spindles.turn().is_none() && self.core.job.diags.first_time(codes::S8047, ()) {
                         let help = "program M3 or M4 with a speed before it".into();
                         let found = codes::S8047::no_block_in_front_of_this_feed().at(self.core.loc(Where::Block));

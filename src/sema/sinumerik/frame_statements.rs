@@ -105,7 +105,7 @@ impl Channel<'_> {
         w.beside.left_out.clear();
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
-            self.core.parameter_of_frame(given)?;
+            given.counts_in_frame(&self.core)?;
             let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
             let place = if code == GCode::G58 {
                 &mut self.st.frames.programmable_mut().shift
@@ -172,27 +172,29 @@ fn shifts(core: &Core<'_>, mm: f64, w: &Words) -> Outcome<Vec<(Axis, f64)>> {
     let mut values = Vec::new();
     for axis in w.axes.iter() {
         let Some(given) = w.axis(axis) else { continue };
-        core.parameter_of_frame(given)?;
+        given.counts_in_frame(core)?;
         let unit = if axis.is_rotary() { 1.0 } else { mm };
         values.push((axis, given.value * unit));
     }
     Ok(values)
 }
 
-impl Core<'_> {
+impl Given {
     /// AC and IC have no meaning in frames and poles, and no effect; a diameter or a sense of rotation would have one.
-    pub(super) fn parameter_of_frame(&self, given: Given) -> Outcome {
-        match given.mode {
+    pub(super) fn counts_in_frame(self, core: &Core<'_>) -> Outcome {
+        match self.mode {
             Mode::Plain | Mode::Ac | Mode::Ic => Ok(()),
-            _ => self.misplaced_modifier(given.span),
+            _ => core.misplaced_modifier(self.span),
         }
     }
+}
 
+impl Core<'_> {
     fn geometry_values(&self, w: &Words, neutral: f64) -> Outcome<[f64; 3]> {
         let mut values = [neutral; 3];
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
-            self.parameter_of_frame(given)?;
+            given.counts_in_frame(self)?;
             match values.get_mut(axis.index()) {
                 Some(place) => *place = given.value,
                 None => {

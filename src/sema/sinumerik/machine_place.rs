@@ -114,10 +114,10 @@ impl State {
     }
 
     /// G43 of the target adds the length of the tool to Z; on the control it acts along the third axis of the plane.
-    pub(super) fn length_acts_along_z(&self, core: &Core<'_>, describes: bool) {
+    pub(super) fn length_acts_along_z(&self, core: &Core<'_>) {
         let [_, _, third] = self.roles();
         let output = &core.job.settings.output;
-        if third == Axis::Z || !output.prints_tool_length() || self.machine.lathe || describes {
+        if third == Axis::Z || !output.prints_tool_length() || self.machine.lathe || self.describes {
             return;
         }
         let tool = &self.tool;

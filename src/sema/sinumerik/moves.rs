@@ -35,7 +35,7 @@ impl Channel<'_> {
         }
         self.st.offsets.note_move(&self.core);
         if self.st.plane() != Plane::Xy {
-            self.st.length_acts_along_z(&self.core, self.capture.is_some());
+            self.st.length_acts_along_z(&self.core);
         }
         if self.st.stored.is_some() {
             self.st.note_stored(&self.core, end, &path);

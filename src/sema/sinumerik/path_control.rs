@@ -90,7 +90,7 @@ impl Channel<'_> {
     /// Hands on how corners are taken, where it changed. A contour that is only described says nothing of it.
     pub(super) fn send_smoothing(&mut self) {
         let mode = self.st.smoothing.mode(&self.st.codes);
-        if mode != self.st.smoothing.sent && !self.capture.is_some() {
+        if mode != self.st.smoothing.sent && self.capture.is_none() {
             self.st.smoothing.sent = mode;
             self.function(Function::PathControl(mode));
         }

@@ -171,7 +171,7 @@ fn pole_of(core: &Core<'_>, st: &State, code: GCode, span: Span, w: &mut Words) 
         let mut way = [0.0; 2];
         for (place, axis) in way.iter_mut().zip([first, second]) {
             if let Some(given) = w.axis(axis) {
-                core.parameter_of_frame(given)?;
+                given.counts_in_frame(core)?;
                 *place = st.length(core, axis, Given { mode: Mode::Plain, ..given }, false)?;
             }
         }

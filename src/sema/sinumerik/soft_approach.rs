@@ -286,7 +286,7 @@ fn infeed(core: &Core<'_>, st: &State, fad: Given) -> Feed {
         _ => st.feed_of(fad.value),
     };
     if matches!(feed, Feed::PerRevolution(_)) {
-        st.spindles.master_feeds(core, fad.span);
+        st.master_feeds(core, fad.span);
     }
     feed
 }

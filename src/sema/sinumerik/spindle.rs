@@ -11,6 +11,7 @@ use crate::text::Span;
 use super::g_groups::{GCode, Group};
 use super::rotary::reduced;
 use super::spindle_state::{MAIN_SPINDLE, Spindles};
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, SWord, Words};
 use super::{Channel, Core, Outcome};
@@ -28,14 +29,6 @@ impl Spindles {
     fn cutting_speed(&self) -> Option<Function> {
         let speed = self.speed()?;
         Some(Function::Spindle(Spindle::CuttingSpeed { speed, limit: self.limit() }))
-    }
-
-    /// Says once that a feed per revolution counts the turns of another spindle than the target's first one.
-    pub fn master_feeds(&self, core: &Core<'_>, place: impl Into<Where>) {
-        let master = self.master();
-        if master != MAIN_SPINDLE {
-            core.say_once(place, codes::S8253::feed_per_revolution_of_spindle(&master));
-        }
     }
 
     /// Threads and cutting speed count with the turns of the master; the target counts those of its first spindle.
@@ -160,6 +153,16 @@ impl Spindles {
         core.check_limit(&format!("{} S", code.word()), s.value, s.span)?;
         self.set_highest(s.spindle, s.value);
         Ok(if self.is_master(s.spindle) { self.limit_changed(core, lims_counts, s.span) } else { None })
+    }
+}
+
+impl State {
+    /// Says once that a feed per revolution counts the turns of another spindle than the target's first one.
+    pub fn master_feeds(&self, core: &Core<'_>, place: impl Into<Where>) {
+        let master = self.spindles.master();
+        if master != MAIN_SPINDLE && !self.describes {
+            core.say_once(place, codes::S8253::feed_per_revolution_of_spindle(&master));
+        }
     }
 }
 

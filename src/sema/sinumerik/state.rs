@@ -40,6 +40,8 @@ pub(super) struct State {
     pub codes: ActiveCodes,
     pub machine: MachineData,
     pub ctx: CtxRef,
+    /// A contour is described, which nothing moves along.
+    pub describes: bool,
     /// The numbers last programmed count where a frame changed (SD 42440).
     pub position: Position,
     /// The way of the last block that travelled.
@@ -108,6 +110,7 @@ impl State {
             codes,
             machine: MachineData { geometry_axes: machine.geometry_axes, lathe, basic_unit, modulo: machine.modulo },
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
+            describes: false,
             position: Position::new(Start::new(settings, codes.is(GCode::DIAMON))),
             heading: Heading::None,
             polar: Polar::default(),
@@ -135,6 +138,7 @@ impl State {
     /// A contour is described from here on: it does not depend on where the tool stands, and what waits for a block
     /// outside waits for no block of it.
     pub fn begin_contour(&mut self) {
+        self.describes = true;
         self.position.forget(AxisSet::ALL);
         self.position.not_lost(AxisSet::ALL);
         self.modal_call = ModalCall::default();

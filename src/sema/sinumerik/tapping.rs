@@ -291,7 +291,7 @@ impl Channel<'_> {
     pub(super) fn stops_at_angle(&mut self, angle: f64, w: &Words, functions: usize) {
         let master = self.st.spindles.master();
         let alone = w.axes.is_empty() && w.m.len() == functions && w.codes.is_empty() && w.get(Address::T).is_none();
-        if alone && master == MAIN_SPINDLE && w.beside.positioning.is_empty() && !self.capture.is_some() {
+        if alone && master == MAIN_SPINDLE && w.beside.positioning.is_empty() && self.capture.is_none() {
             self.st.taps.angle = Some((angle, self.core.here.origin));
         } else {
             self.function(self.st.spindles.function(Spindle::Orient(angle)));
@@ -359,7 +359,7 @@ impl Channel<'_> {
         st.spindles.stand_after_tap(&self.core, code, span);
         self.st.offsets.note_move(&self.core);
         if self.st.plane() != Plane::Xy {
-            self.st.length_acts_along_z(&self.core, self.capture.is_some());
+            self.st.length_acts_along_z(&self.core);
         }
         self.st.heading.follow(&self.st.position, &end, &Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
         self.st.position.move_to(&end);
