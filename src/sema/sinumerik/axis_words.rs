@@ -1,6 +1,6 @@
 //! Words of axes by the names that a program gives them.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::machine::Axis;
 
 use super::axis_names::{AxisNames, NamedAxis};
@@ -43,21 +43,18 @@ impl AxisNames {
             // What X1 is to X is no second name.
             Some(NamedAxis { axis: Some(printed), .. }) if axis.number == 1 => Ok(Some(printed)),
             Some(named) if axis.number == 1 => self.printed(core, named, axis.span),
-            _ => core.unnamed_axis(axis),
+            _ => core.refuse(axis.span, axis.unnamed()),
         }
     }
 }
 
-impl Core<'_> {
+impl MachineAxis {
     /// `B1=90` without an entry in the configuration.
-    pub(super) fn unnamed_axis<T>(&self, axis: MachineAxis) -> Outcome<T> {
-        let name = format!("{}{}", axis.letter as char, axis.number);
-        let letter = axis.letter as char;
-        self.refuse(
-            axis.span,
-            codes::S2016::which_axis_is_only_machine_knows(&name, &letter).answer(
-                Answer::entry("machine", "axes", &name).one_of(&[format!("\"{letter}\""), "\"leave-out\"".to_owned()]),
-            ),
+    pub(super) fn unnamed(&self) -> Fault {
+        let name = format!("{}{}", self.letter as char, self.number);
+        let letter = self.letter as char;
+        codes::S2016::which_axis_is_only_machine_knows(&name, &letter).answer(
+            Answer::entry("machine", "axes", &name).one_of(&[format!("\"{letter}\""), "\"leave-out\"".to_owned()]),
         )
     }
 }

@@ -1,20 +1,19 @@
-//! Blocks of words: modal codes, then technology, then the motion, then what acts behind it.
+//! The motion of a block of words.
 //!
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::ir::contour::Path;
-use crate::machine::{Axis, AxisSet};
-use crate::parser::sinumerik::ast::{Block, Target};
+use crate::machine::Axis;
+use crate::parser::sinumerik::ast::Block;
 use crate::text::Span;
 
-use super::axis_names::NamedAxis;
 use super::corners::corner_of;
 use super::g_groups::{GCode, Group};
 use super::state::State;
-use super::vocabulary::{Address, Meaning};
+use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
 /// Addresses that shape an arc.
 pub(super) const ARC_ADDRESSES: [Address; 9] = [
@@ -28,137 +27,6 @@ pub(super) const ARC_ADDRESSES: [Address; 9] = [
     Address::Ar,
     Address::Turn,
 ];
-
-impl Run<'_> {
-    pub(super) fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let mut words = self.words.take().unwrap_or_else(|| Box::new(Words::new()));
-        words.clear();
-        let result = self.sort_words(&mut words, block, text).and_then(|()| {
-            if words.is_empty() {
-                return Ok(());
-            }
-            if words.calls.word.is_some() || words.calls.number.is_some() {
-                return self.call_block(&mut words, block, text);
-            }
-            self.begins_executing();
-            self.run_words_of(&mut words, block)
-        });
-        if result.is_err() {
-            self.lose_block(&words, block);
-        }
-        self.words = Some(words);
-        result
-    }
-
-    /// After an error nobody knows where the axes of the block are.
-    fn lose_block(&mut self, words: &Words, block: &Block) {
-        let of_tap = self.channel.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
-        self.channel.st.taps.block_is_refused(of_tap);
-        let mut axes = words.axes;
-        for word in &block.words {
-            match word.target {
-                Target::Letter(letter) => {
-                    if let Some(axis) = self.channel.axis_names.letter(letter).and_then(|named| named.axis) {
-                        axes.insert(axis);
-                    }
-                }
-                Target::Numbered(_, _, name) | Target::Name(name) => {
-                    if let Meaning::Axis(NamedAxis { axis: Some(axis), .. }) = self.meaning(name) {
-                        axes.insert(axis);
-                    }
-                }
-                Target::Indexed(..) => axes = axes.union(AxisSet::MAIN),
-                _ => {}
-            }
-        }
-        let more = [Address::Ap, Address::Rp, Address::Ang, Address::Ar, Address::F];
-        if ARC_ADDRESSES.iter().chain(&more).any(|address| words.get(*address).is_some()) {
-            axes = axes.union(AxisSet::MAIN);
-        }
-        if words.get(Address::F).is_some() {
-            self.channel.st.feed.lose();
-        }
-        if words.get(Address::Ang).is_some() {
-            self.channel.st.pair.lose();
-        }
-        if !axes.is_empty() {
-            self.channel.st.position.lose(axes);
-            self.channel.st.pair.drop_first();
-            self.channel.lost();
-        }
-    }
-
-    /// The words of a block that holds no call.
-    pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        let motion = self.channel.st.codes.of(Group::Motion);
-        if self.channel.st.taps.are_open() && self.channel.st.taps.end_before(w, motion) {
-            self.channel.tapping_ends();
-        }
-        self.channel.st.threads.go_on_beside(&self.channel.core, w);
-        if let Some(capture) = &mut self.channel.capture {
-            capture.words(&self.channel.core, w)?;
-        }
-        let triggers = self.channel.st.modal_call.cycle().is_some()
-            && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
-        if let Some(probe) = w.probe
-            && let Some((_, span)) =
-                [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
-        {
-            return probe.stands_beside(&self.channel.core, span);
-        }
-        if self.codes_of_block(w)? {
-            return Ok(());
-        }
-        let motion = self.channel.st.codes.of(Group::Motion);
-        if motion.is_tapping() && !w.axes.is_empty() {
-            let st = &mut self.channel.st;
-            st.taps.take_only(&self.channel.core, &st.spindles, motion, w)?;
-            if self.channel.capture.is_none() {
-                st.taps.begin(st.spindles.fixed_turns(None));
-            }
-        }
-        self.channel.technology(w)?;
-        self.channel.early_functions(w)?;
-        let corner_before = self.channel.st.corners.open.site();
-        let moved = self.channel.probed_motion(w, block)?;
-        if moved && self.channel.st.corners.open.site() == corner_before {
-            self.channel.st.corners.open.close();
-        }
-        self.channel.st.corners.pass_block(&self.channel.core, moved)?;
-        self.channel.core.all_words_fit(w)?;
-        if self.channel.st.modal_call.is_on() {
-            w.moves_what_is_left_out(&self.channel.core)?;
-        }
-        self.late_functions(w)?;
-        if moved && !self.channel.core.has_ended() {
-            self.call_modal()?;
-        } else if triggers && !moved {
-            self.channel.core.warn_of_trigger(block.span);
-        }
-        Ok(())
-    }
-
-    /// The codes of a block; true if one of them is the whole block.
-    fn codes_of_block(&mut self, w: &mut Words) -> Outcome<bool> {
-        if w.codes.is_empty() && w.diameter.is_none() && w.dynamics.is_none() && !w.smoothing.is_given() {
-            return Ok(false);
-        }
-        self.channel.core.check_codes(w)?;
-        if let Some((code, span)) = w.code_of(Group::Nonmodal) {
-            self.channel.modal_codes(w)?;
-            return self.nonmodal_block(code, span, w).map(|()| true);
-        }
-        if let Some((code, span)) = w.code_of(Group::Frame) {
-            self.channel.modal_codes(w)?;
-            return self.channel.frame_block(code, span, w).map(|()| true);
-        }
-        self.channel.modal_codes(w)?;
-        if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
-            return self.channel.buffer_code(code, span, w).map(|()| true);
-        }
-        Ok(false)
-    }
-}
 
 impl Channel<'_> {
     // Motion.
@@ -196,7 +64,7 @@ impl Channel<'_> {
         if matches!(interpolation, GCode::G33 | GCode::G331 | GCode::G332)
             && let Some(polar) = w.get(Address::Ap).or(w.get(Address::Rp))
         {
-            return self.core.does_not_fit_motion(w, polar.span);
+            return self.core.refuse(polar.span, w.misfit_of_motion());
         }
         if let Some((_, span)) = w.code_of(Group::Suppression).filter(|(code, _)| *code != GCode::SUPD) {
             return self.machine_move(w, interpolation, span).map(|()| true);
@@ -232,7 +100,7 @@ impl Channel<'_> {
             GCode::CT => self.tangent_block(w)?,
             GCode::G33 => self.thread_block(w, span)?,
             GCode::G331 | GCode::G332 => return self.tap_block(w, interpolation, span),
-            _ => return self.core.check_interpolation(interpolation, span).and(Err(Reported)),
+            _ => return self.core.accept(span, interpolation.can_be_printed()).and(Err(Reported)),
         }
         // The first line of a pair sends its corner when its end is known.
         if !self.st.pair.is_open() {
@@ -242,7 +110,7 @@ impl Channel<'_> {
     }
 
     /// The motion of the block, as far as the probe lets it be printed.
-    fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
+    pub(super) fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         match w.probe {
             Some(probe) if !probe.whole_way && !self.core.never_touches() => self.probe_block(w, probe).map(|()| false),
             Some(probe) => {
@@ -278,7 +146,7 @@ fn without_path(core: &Core<'_>, w: &Words, span: Span) -> Outcome<bool> {
         return core.no_corner(span);
     }
     if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
-        core.control_words_are_left_out(span);
+        core.say_once(span, codes::S8103::words_that_only_steer_control());
     }
     Ok(false)
 }
@@ -297,44 +165,10 @@ fn check_offsets(core: &Core<'_>, st: &State, w: &Words) -> Outcome {
     }
 }
 
-impl Core<'_> {
-    /// A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
-    fn warn_of_trigger(&self, span: Span) {
-        if self.job.diags.first_time(codes::S8033, ()) {
-            let found = codes::S8033::under_mcall_of_drilling_cycle_this_block().at(self.loc(span));
-            self.report(found.help("put it before MCALL: some controls drill after it once more"));
-        }
-    }
-
-    pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {
-        self.does_not_fit_code(span, 12110)
-    }
-
-    /// The control tells a code that is written from one that holds on.
-    fn does_not_fit_motion<T>(&self, w: &Words, span: Span) -> Outcome<T> {
-        self.does_not_fit_code(span, if w.code_of(Group::Motion).is_some() { 12110 } else { 15460 })
-    }
-
-    fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
-        self.refuse(span, codes::P1003::word_does_not_fit_other_words().alarm(alarm))
-    }
-
-    /// What no part of the block has taken belongs to another block.
-    fn all_words_fit(&self, w: &Words) -> Outcome {
-        if let Some(left) = w.left() {
-            return self.does_not_fit_motion(w, left.span);
-        }
-        if let Some(axis) = w.beside.machine.first() {
-            return self.unnamed_axis(*axis);
-        }
-        if let Some(passes) = w.calls.passes {
-            return self.does_not_fit(passes.span);
-        }
-        Ok(())
-    }
-
-    pub(super) fn check_interpolation(&self, code: GCode, span: Span) -> Outcome {
-        let what = match code {
+impl GCode {
+    /// May plain G code say the interpolation?
+    pub(super) fn can_be_printed(self) -> Result<(), Fault> {
+        let what = match self {
             GCode::G0 | GCode::G1 | GCode::G2 | GCode::G3 | GCode::CIP | GCode::CT => return Ok(()),
             GCode::G33 | GCode::G331 | GCode::G332 => return Ok(()),
             GCode::G34 | GCode::G35 => "a thread of changing lead",
@@ -343,6 +177,6 @@ impl Core<'_> {
             GCode::G335 | GCode::G336 => "a thread on an arc",
             _ => "an interpolation of the machine builder",
         };
-        self.refuse(span, codes::S9002::is_which_plain_g_code_cannot_say(&code.word(), &what))
+        Err(codes::S9002::is_which_plain_g_code_cannot_say(&self.word(), &what))
     }
 }

@@ -12,12 +12,9 @@ use crate::ir::cycle::drilling::{Method, Tap};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::Spindle;
 use crate::machine::{Axis, AxisSet};
-use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::sema::cycle::call::{Elsewhere, Kind, Made, Refusal, Remark};
-use crate::sema::cycle::given::{Given, Value};
-use crate::sema::cycle::row;
+use crate::sema::cycle::given::Given;
 use crate::sema::run::Where;
-use crate::text::Span;
 
 use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work};
 use super::g_groups::{ActiveCodes, GCode, Group};
@@ -25,152 +22,37 @@ use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
 use super::state::State;
 use super::transformation::no_turning_cycle_here;
-use super::value::{Val, to_text};
-use super::words::CallWord;
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 use crate::ir::Side;
 
-/// A value of the language as the argument of a parameter.
-fn value_of(value: &Val, kind: row::Kind) -> Value {
-    let text = || {
-        let text = to_text(value).unwrap_or_default();
-        Value::Text(String::from_utf8_lossy(&text).trim().to_ascii_uppercase())
-    };
-    match (value, kind) {
-        (Val::Missing, _) => Value::Missing,
-        // A letter in a variable of type CHAR is the text that it was written as.
-        (Val::Text(_), row::Kind::Text) | (Val::Text(_) | Val::Char(_), row::Kind::Either) => text(),
-        _ => match value.number() {
-            Some(number) => Value::Number(number),
-            None if matches!(kind, row::Kind::Text | row::Kind::Either) => text(),
-            None => Value::Other,
-        },
-    }
-}
-
-impl Run<'_> {
-    /// Runs a machining cycle; `None` for a name that is none, or that is not built.
-    pub(super) fn machining_cycle(
-        &mut self,
-        name: &str,
-        call: CallWord,
-        block: &Block,
-        text: &[u8],
-    ) -> Option<Outcome> {
-        let row = cycles::find(name)?;
-        if matches!(row.work, Work::Nothing) || self.own_program(name) {
-            return None;
-        }
-        let result =
-            self.given_of(row, call.args, call.span, block, text).and_then(|given| self.run_cycle(row, &given));
-        if result.is_err() {
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
-        }
-        Some(result)
-    }
-
-    fn given_of(
-        &mut self,
-        row: &'static Row,
-        args: Option<Args>,
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome<Given> {
-        let name = row.signature.name;
-        if let Some(capture) = &mut self.channel.capture {
-            let fault = |contour: &str| codes::S2091::stands_in_contour(&name, &contour);
-            return capture.refuse(&self.channel.core, span, fault).and(Err(Reported));
-        }
-        let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
-        let parameters = row.signature.parameters;
-        let mut given = Given::new(&row.signature, name, span.into(), self.channel.st.length_unit());
-        let mut too_many = None;
-        for (at, formula) in formulas.into_iter().enumerate() {
-            let value = self.eval(formula, block, text)?;
-            match parameters.get(at) {
-                Some(parameter) => given.push(value_of(&value, parameter.kind), formula.span.into()),
-                None => too_many = too_many.or(Some(formula.span)),
-            }
-        }
-        if let Some(at) = too_many {
-            return self.channel.core.refuse(at, codes::S2021::takes_arguments(&name, &parameters.len()));
-        }
-        self.channel.asked(&given, |call| call.fits_its_row())?;
-        Ok(given)
-    }
-
-    fn run_cycle(&mut self, row: &'static Row, given: &Given) -> Outcome {
+impl Channel<'_> {
+    /// Does nothing stand in the way of the cycle? Says what its path depends on.
+    pub(super) fn takes_cycle(&mut self, row: &Row, given: &Given) -> Outcome {
         let place = given.place;
         let moves = !matches!(row.work, Work::NamesContour | Work::Unpublished(_));
-        self.begins_executing();
-        no_turning_cycle_here(&self.channel.core, &self.channel.st, row.signature.name, place)?;
-        self.channel.pending_must_be_done(place)?;
-        if self.channel.st.side() != Side::None {
-            return self.channel.core.refuse(place, codes::P2090::radius_compensation().of(&given.called));
+        no_turning_cycle_here(&self.core, &self.st, row.signature.name, place)?;
+        self.pending_must_be_done(place)?;
+        if self.st.side() != Side::None {
+            return self.core.refuse(place, codes::P2090::radius_compensation().of(&given.called));
         }
-        match self.channel.st.offsets.outer() {
+        match self.st.offsets.outer() {
             Outer::Machine => {
-                return self
-                    .channel
-                    .core
-                    .in_machine_only_lines(place, "a cycle cannot be printed in machine coordinates");
+                let what = "a cycle cannot be printed in machine coordinates";
+                return self.core.in_machine_only_lines(place, what);
             }
-            Outer::Unrelated => return self.channel.core.unrelated(place, "G500 stands beside"),
+            Outer::Unrelated => return self.core.unrelated(place, "G500 stands beside"),
             // A contour that is only named moves nothing.
             Outer::Basic | Outer::Printed(_) if !moves => {}
-            Outer::Basic | Outer::Printed(_) => self.channel.st.offsets.note_move(&self.channel.core),
+            Outer::Basic | Outer::Printed(_) => self.st.offsets.note_move(&self.core),
         }
-        self.channel.st.codes.no_cycle_by_time(&self.channel.core, place)?;
+        self.st.codes.no_cycle_by_time(&self.core, place)?;
         if moves {
-            self.channel.speed_is_known()?;
-            if self.channel.st.codes.per_revolution() {
-                self.channel.st.master_feeds(&self.channel.core, place);
+            self.speed_is_known()?;
+            if self.st.codes.per_revolution() {
+                self.st.master_feeds(&self.core, place);
             }
         }
-        if !matches!(row.work, Work::Hole(_)) {
-            self.channel.asked(given, |call| call.meets_row(row))?;
-        }
-        match &row.work {
-            Work::Hole(_) => {
-                let hole = self.channel.hole_of(row, given)?;
-                self.channel.drill(&hole)
-            }
-            Work::Plan(plan) => self.channel.run_plan(row, given, plan),
-            Work::Along(contour, plan) => {
-                let contours = self.contours_of(given, *contour)?;
-                self.channel.run_plan(row, given, |call| plan(call, &contours))
-            }
-            Work::NamesContour => self.contour_call(given),
-            Work::Unpublished(cycle) => self.unpublished_cycle(given, *cycle),
-            Work::Nothing => Ok(()),
-        }
-    }
-
-    /// `MCALL CYCLE81(…)`; `None` for a name that is no cycle.
-    pub(super) fn modal_machining_cycle(
-        &mut self,
-        name: &str,
-        args: Args,
-        block: &Block,
-        text: &[u8],
-    ) -> Option<Outcome> {
-        let row = cycles::find(name)?;
-        let Work::Hole(drilling) = &row.work else { return None };
-        if self.own_program(name) {
-            return None;
-        }
-        Some(self.given_of(row, Some(args), block.span, block, text).and_then(|given| {
-            self.channel.st.modal_call.end();
-            let hole = self.channel.hole_of(row, &given)?;
-            let feed_of_block = drilling.modal_feed;
-            let under = (self.channel.st.plane(), self.channel.st.length_unit());
-            let (here, spindle) = (self.channel.core.here, self.channel.st.spindle_state());
-            let made = ModalCycle { hole, given, here, spindle, feed_of_block, under, refused: false };
-            self.channel.st.modal_call.set_cycle(Box::new(made));
-            Ok(())
-        }))
+        if matches!(row.work, Work::Hole(_)) { Ok(()) } else { self.asked(given, |call| call.meets_row(row)) }
     }
 }
 
@@ -194,7 +76,7 @@ impl State {
         }
     }
 
-    fn spindle_state(&self) -> SpindleState {
+    pub(super) fn spindle_state(&self) -> SpindleState {
         let (spindles, tool) = (&self.spindles, &self.tool);
         let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
         (speed, turn, cutting, self.codes.per_revolution(), tool.active(), tool.edge())
@@ -212,7 +94,12 @@ impl ActiveCodes {
 
 impl Channel<'_> {
     /// Runs a plan and carries out what it made.
-    fn run_plan(&mut self, row: &Row, given: &Given, plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>) -> Outcome {
+    pub(super) fn run_plan(
+        &mut self,
+        row: &Row,
+        given: &Given,
+        plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>,
+    ) -> Outcome {
         let (acts, ways) = self.planned(given, plan)?;
         if row.needs.contains(&cycles::Need::KnownPlace) {
             let at = |axis| self.st.position.get(axis);
@@ -258,7 +145,7 @@ impl Channel<'_> {
     }
 
     /// The hole of a drilling cycle.
-    fn hole_of(&mut self, row: &Row, given: &Given) -> Outcome<Drilling> {
+    pub(super) fn hole_of(&mut self, row: &Row, given: &Given) -> Outcome<Drilling> {
         let Work::Hole(drilling) = &row.work else { return Err(Reported) };
         self.asked(given, |call| call.meets_row(row))?;
         let hole = self.asked(given, |call| call.hole(drilling))?;
@@ -351,7 +238,7 @@ impl Channel<'_> {
     }
 
     /// In the plane across the hole, which may be another one than the active one.
-    fn drill(&mut self, hole: &Drilling) -> Outcome {
+    pub(super) fn drill(&mut self, hole: &Drilling) -> Outcome {
         let plane = cycles::plane_across(hole.axis);
         let active = self.st.ctx.clone();
         if matches!(hole.method, Method::Bore(_)) && plane != active.plane {

@@ -10,7 +10,7 @@ use crate::text::Span;
 use super::diameter::Diameter;
 use super::g_groups::GCode;
 use super::state::State;
-use super::words::{Given, Mode, Words};
+use super::words::{Given, Mode, Words, misfit};
 use super::{Core, Outcome, Reported};
 
 impl State {
@@ -45,7 +45,7 @@ impl State {
                 };
                 return core.refuse(given.span, codes::S2061::is_no_rotary_axis(&axis.letter()).alarm(alarm));
             }
-            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return core.does_not_fit(given.span),
+            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return core.refuse(given.span, misfit()),
         };
         let value = if rotary { given.value } else { self.length(core, axis, given, incremental)? };
         if incremental { Ok(self.increment_base(core, axis, given.span)? + value) } else { Ok(value) }

@@ -12,7 +12,7 @@ use super::frames::FrameValue;
 use super::g_groups::{ActiveCodes, GCode, Group};
 use super::state::State;
 use super::vocabulary::Address;
-use super::words::{Given, Mode, Words};
+use super::words::{Given, Mode, Words, misfit, misplaced_modifier};
 use super::{Channel, Core, Outcome};
 
 impl ActiveCodes {
@@ -33,7 +33,7 @@ impl State {
         self.codes.frame_is_free(core, span)?;
         let rpl = w.take(Address::Rpl);
         if let Some(rpl) = rpl.filter(|_| !matches!(code, GCode::ROT | GCode::AROT)) {
-            return core.does_not_fit(rpl.span);
+            return core.refuse(rpl.span, misfit());
         }
         let bare = w.axes.is_empty() && rpl.is_none();
         let frame = match code {
@@ -71,7 +71,7 @@ impl Channel<'_> {
                 }
                 w.s.clear();
                 w.beside.left_out.clear();
-                self.core.limits_are_left_out(span);
+                self.core.say_once(span, codes::S8013::working_area_limits());
             }
             GCode::G58 | GCode::G59 => self.axial_shift(code, span, w)?,
             _ => {
@@ -184,7 +184,7 @@ impl Given {
     pub(super) fn counts_in_frame(self, core: &Core<'_>) -> Outcome {
         match self.mode {
             Mode::Plain | Mode::Ac | Mode::Ic => Ok(()),
-            _ => core.misplaced_modifier(self.span),
+            _ => core.refuse(self.span, misplaced_modifier()),
         }
     }
 }

@@ -8,6 +8,7 @@ use crate::machine::AxisSet;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
+use super::left_out::LeftOut;
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
 
@@ -22,7 +23,7 @@ impl Channel<'_> {
             self.st.select_diameter(&self.core, indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
-            self.core.dynamics_are_left_out(span);
+            self.core.say_once(span, codes::S8002::words_that_only_shape_speed());
         }
         self.st.smoothing.program(&self.core, &self.st.codes, w);
         self.send_smoothing();
@@ -33,14 +34,16 @@ impl Channel<'_> {
         let old = self.st.codes.of(code.group);
         match code.group {
             Group::Motion => {
-                self.core.check_interpolation(code, span)?;
+                self.core.accept(span, code.can_be_printed())?;
                 self.st.codes.activate(code);
                 self.left.motion = None;
             }
             Group::Nonmodal | Group::Frame | Group::Suppression => {}
             Group::ExactStopBlock => {}
             Group::ExactStop => self.st.codes.activate(code),
-            Group::RepositioningPointBlock => self.core.left_out_code(code, span),
+            Group::RepositioningPointBlock => {
+                self.core.say_once(span, codes::S8103::words_that_only_steer_control());
+            }
             Group::Plane => {
                 self.st.codes.activate(code);
                 if old != code {
@@ -59,7 +62,7 @@ impl Channel<'_> {
                 }
                 // DIAMCYCOF counts inside of cycles only.
                 if code == GCode::DIAMCYCOF {
-                    self.core.control_words_are_left_out(span);
+                    self.core.say_once(span, codes::S8103::words_that_only_steer_control());
                 } else {
                     self.st.codes.activate(code);
                     if let Some(stored) = self.st.stored.as_mut() {
@@ -70,7 +73,13 @@ impl Channel<'_> {
             }
             _ => {
                 self.refused_code(code, span)?;
-                self.core.left_out_code(code, span);
+                let curve_feed = self.core.job.settings.control.sinumerik.compensation.curve_feed;
+                match code.left_out(self.core.resolves(), curve_feed) {
+                    Some(LeftOut::Once(fault)) => self.core.say_once(span, fault),
+                    Some(LeftOut::Here(fault)) => self.core.report_new(fault.at(self.core.loc(span))),
+                    // Other blocks ask for it where it counts.
+                    None => {}
+                }
                 self.st.codes.activate(code);
             }
         }

@@ -115,7 +115,7 @@ impl Channel<'_> {
             }
             "$P_SUBPAR" => {
                 let n = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-                let given = &self.core.program_level().given;
+                let given = &super::levels::program(&mut self.core.levels).given;
                 Some(Val::Bool(n.and_then(|n| n.checked_sub(1)).and_then(|n| given.get(n)).is_some_and(|given| *given)))
             }
             "$P_STACK" => Some(Val::Int(self.core.levels.len() as i32 - 1)),
@@ -139,7 +139,7 @@ impl Channel<'_> {
         match frame {
             None => Ok(None),
             Some(frame) if component.is_empty() => Ok(Some(Val::Frame(Rc::new(frame)))),
-            Some(frame) => self.frame_component(&frame, component, span).map(Some),
+            Some(frame) => self.core.accept(span, frame.read_component(component, self.st.feed_unit())).map(Some),
         }
     }
 }

@@ -28,7 +28,7 @@ pub(super) enum Lane {
 impl Channel<'_> {
     /// Which straight blocks do nothing but move?
     pub(super) fn open_lane(&mut self) -> Lane {
-        if !(self.moves_straight() && self.nothing_waits() && self.core.program_level().executed) {
+        if !(self.moves_straight() && self.nothing_waits() && super::levels::program(&mut self.core.levels).executed) {
             return Lane::Closed;
         }
         let feed = &self.st.feed;

@@ -9,7 +9,6 @@
 use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
-use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
 use crate::sema::common::hidden::By;
 use crate::text::{Loc, Span};
 
@@ -17,12 +16,12 @@ use super::block::ARC_ADDRESSES;
 use super::measuring_data;
 use super::probe_state::{Measured, ProbeWord, Touched, hidden_with};
 use super::state::State;
-use super::system_meanings::{is_measured, meaning_of, said_meaning};
+use super::system_meanings::is_measured;
 use super::system_variables::SystemVariables;
 use super::value::{Val, whole};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
 /// What a cycle sets by what it measures.
 enum Sets {
@@ -30,86 +29,6 @@ enum Sets {
     /// A work offset, by its KNUM where that is known.
     Offset(Option<i32>),
     Tool,
-}
-
-impl Run<'_> {
-    /// MEAS=±1 and its kin, with their value.
-    pub(super) fn probe_word(
-        &mut self,
-        words: &mut Words,
-        probe: ProbeWord,
-        word: &Word,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        if let Value::Formula(formula) = word.value {
-            self.eval(formula, block, text)?;
-        }
-        words.probe = Some(probe);
-        Ok(())
-    }
-
-    /// A call of a measuring cycle.
-    pub(super) fn measuring_cycle(
-        &mut self,
-        (name, span): (&str, Span),
-        formulas: &[Formula],
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let mut values = Vec::with_capacity(formulas.len());
-        for formula in formulas {
-            values.push(self.eval(*formula, block, text)?);
-        }
-        self.channel.leave_cycle_out(name, &values, span)
-    }
-
-    // Global data of the cycles.
-
-    /// `_MVAR=100`: kept for the cycle that follows, where measuring is left out and nothing else has the name.
-    pub(super) fn keeps_measuring_data(&mut self, name: &str, args: &[Val], value: Option<Val>, span: Span) {
-        let key = super::system::system_key(name, args);
-        match value {
-            Some(value) => self.channel.st.system.set(key, value),
-            None => self.channel.st.system.forget(&key),
-        }
-        self.channel.core.say_once(span, codes::S8168::arguments_of_measuring_cycles());
-    }
-
-    /// The value of one of their names in a formula: what the program wrote, or what `[variables]` says; `None` for another name.
-    pub(super) fn measuring_value(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
-        let Some(result) = measuring_data::find(name) else { return Ok(None) };
-        let key = super::system::system_key(name, args);
-        if let Some(value) = self.channel.st.system.get(&key) {
-            return Ok(Some(value.clone()));
-        }
-        if !result {
-            return Ok(None);
-        }
-        let Some(value) = self.channel.core.job.settings.variables.get(&key).copied() else {
-            let help = format!(
-                "give it under [variables]: \"{key}\" = value; the measuring cycles keep it in the global data of the control"
-            );
-            let help = Answer::variable(&key, meaning_of(name, args).unwrap_or_default()).help(help);
-            return self
-                .channel
-                .core
-                .refuse(span, codes::S9133::is_result_of_measuring_cycles(&key, &said_meaning(name, args)).help(help));
-        };
-        self.channel.measured.says_given(&self.channel.core, &key, value, true, span);
-        Ok(Some(Val::Real(value)))
-    }
-
-    /// May a variable of this name hold what a left-out cycle found?
-    pub(super) fn is_found_by_cycle(&self, name: &str) -> bool {
-        self.channel.measured.cycle.is_some() && measuring_data::find(name) == Some(true)
-    }
-}
-
-pub(super) fn leave_out() -> Help {
-    Answer::key("control", "probing").one_of(&["\"leave-out\""]).help(
-        "leave out what measures: `[control] probing = \"leave-out\"`; what the program computes with afterwards is asked for",
-    )
 }
 
 impl Measured {
@@ -210,7 +129,9 @@ impl Channel<'_> {
         self.pending_must_be_done(span)?;
         let ignored = self.core.job.settings.programs.get(name) == Some(&StandIn::Ignored);
         if !ignored && !self.core.job.settings.control.klartext_choices.probing_left_out {
-            return self.core.refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(leave_out()));
+            return self
+                .core
+                .refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(measuring_data::leave_out()));
         }
         if self.st.side() != Side::None || self.capture.is_some() {
             return self.core.refuse(span, codes::P9010::stands_under_radius_compensation_or_in_contour(&name));
@@ -299,9 +220,10 @@ impl Channel<'_> {
 
     pub(super) fn may_leave_probe_out(&mut self, probe: ProbeWord) -> Outcome {
         if !self.core.job.settings.control.klartext_choices.probing_left_out {
-            return self
-                .core
-                .refuse(probe.span, codes::P9010::measuring_is_not_supported(&probe.name).help(leave_out()));
+            return self.core.refuse(
+                probe.span,
+                codes::P9010::measuring_is_not_supported(&probe.name).help(measuring_data::leave_out()),
+            );
         }
         self.pending_must_be_done(probe.span)?;
         let open = self.st.side() != Side::None || self.st.compensation.waits() || self.soft.is_some();

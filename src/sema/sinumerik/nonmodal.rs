@@ -11,66 +11,60 @@ use crate::text::Span;
 use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// Longest dwell.
 const MOST_SECONDS: f64 = 1e5;
 
-impl Run<'_> {
-    /// A code of group 2.
-    pub(super) fn nonmodal_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
+impl Channel<'_> {
+    /// A code of group 2. True if it moved the tool as a block of moves does.
+    pub(super) fn nonmodal_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome<bool> {
         let mut moved = false;
         if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
-            return self.channel.core.not_alone(suppressed);
+            return self.core.not_alone(suppressed);
         }
         if code != GCode::G4 {
-            self.channel.st.threads.end_chain();
+            self.st.threads.end_chain();
         }
         match code {
             GCode::G4 => {
                 if let Some(m) = w.m.first() {
-                    return self.channel.core.not_alone(m.span);
+                    return self.core.not_alone(m.span);
                 }
-                self.channel.dwell(span, w)?;
+                self.dwell(span, w)?;
             }
             GCode::G63 => {
-                self.channel.core.say_once(span, codes::S8025::g63_tap_needs_compensating_chuck_on_target());
-                self.channel.technology(w)?;
-                self.channel.early_functions(w)?;
+                self.core.say_once(span, codes::S8025::g63_tap_needs_compensating_chuck_on_target());
+                self.technology(w)?;
+                self.early_functions(w)?;
                 moved = true;
-                let feed = self.channel.cutting_feed(w)?;
-                let end = self.channel.st.targets(&self.channel.core, w)?;
-                self.channel.pending_must_be_done(span)?;
+                let feed = self.cutting_feed(w)?;
+                let end = self.st.targets(&self.core, w)?;
+                self.pending_must_be_done(span)?;
                 if !end.known().is_empty() {
-                    self.channel.send(&end, Path::Line(feed));
+                    self.send(&end, Path::Line(feed));
                 }
                 w.beside.left_out.clear();
             }
             GCode::G74 | GCode::G75 => {
-                self.channel.technology(w)?;
-                self.channel.early_functions(w)?;
-                self.channel.fixed_point(code, span, w)?;
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.fixed_point(code, span, w)?;
                 w.beside.machine.clear();
                 w.beside.left_out.clear();
             }
             _ => {
-                let rapid = self.channel.st.is(GCode::G0);
-                let before = Path::straight(self.channel.st.feed.word().filter(|_| !rapid));
-                self.channel.technology(w)?;
-                self.channel.early_functions(w)?;
-                self.channel.soft_block(code, span, w, before)?;
+                let rapid = self.st.is(GCode::G0);
+                let before = Path::straight(self.st.feed.word().filter(|_| !rapid));
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.soft_block(code, span, w, before)?;
             }
         }
-        self.channel.core.nothing_left(w)?;
-        self.late_functions(w)?;
-        if moved && !self.channel.core.has_ended() {
-            self.call_modal()?;
-        }
-        Ok(())
+        self.core.nothing_left(w)?;
+        Ok(moved)
     }
-}
 
-impl Channel<'_> {
     /// STARTFIFO and STOPFIFO only steer the buffer of the control.
     pub(super) fn buffer_code(&mut self, code: GCode, span: Span, w: &Words) -> Outcome {
         let axis = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span);
@@ -78,7 +72,7 @@ impl Channel<'_> {
             return self.core.not_alone(other);
         }
         self.core.nothing_left(w)?;
-        self.core.dynamics_are_left_out(span);
+        self.core.say_once(span, codes::S8002::words_that_only_shape_speed());
         self.st.codes.activate(code);
         Ok(())
     }

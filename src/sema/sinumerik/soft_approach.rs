@@ -28,8 +28,8 @@ use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::tangent::Heading;
 use super::vocabulary::Address;
-use super::words::{Given, Mode, Words};
-use super::{Channel, Core, Outcome, Reported};
+use super::words::{Given, Mode, Words, misplaced_modifier};
+use super::{Channel, Core, Outcome};
 
 /// Functions and comments between an approach and its contour.
 const MOST_HELD: usize = 256;
@@ -252,7 +252,7 @@ fn soft_sizes(
     };
     let (safe, plane) = match (height(w.take(Address::Discl)), height(w.take(Address::Disrp))) {
         (Ok(safe), Ok(plane)) => (safe, plane),
-        (Err(span), _) | (_, Err(span)) => return core.misplaced_modifier(span).and(Err(Reported)),
+        (Err(span), _) | (_, Err(span)) => return core.refuse(span, misplaced_modifier()),
     };
     let infeed = match w.take(Address::Fad) {
         Some(fad) if fad.value <= 0.0 => {

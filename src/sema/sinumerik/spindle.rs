@@ -13,7 +13,7 @@ use super::rotary::reduced;
 use super::spindle_state::{MAIN_SPINDLE, Spindles};
 use super::state::State;
 use super::vocabulary::Address;
-use super::words::{Given, MWord, Mode, SWord, Words};
+use super::words::{Given, MWord, Mode, SWord, Words, misfit};
 use super::{Channel, Core, Outcome};
 
 /// Highest spindle number that is a spindle.
@@ -327,7 +327,7 @@ impl Core<'_> {
         match given.mode {
             Mode::Plain | Mode::Ac | Mode::Dc => {}
             Mode::Acp | Mode::Acn => self.say_once(given.span, codes::S8031::sense_in_which_spos_acp()),
-            _ => return self.does_not_fit(given.span),
+            _ => return self.refuse(given.span, misfit()),
         }
         Ok(0.0)
     }

@@ -1,102 +1,35 @@
 //! Programs of the machine builder that are found nowhere: what `[programs]` says stands for them.
 
-use crate::diag::{Answer, Fault, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::ir::Side;
-use crate::machine::settings::Leaves;
-use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
+use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle};
 use crate::sema::common::hidden::By;
 use crate::text::Span;
 
-use super::callee::{Missing, called_name};
-use super::entries::reserved;
 use super::feed::FeedLeft;
 use super::g_groups::GCode;
 use super::left_behind::MayChange;
-use super::programs::without_extension;
 use super::value::Val;
 use super::vars::Argument;
-use super::{Channel, Outcome, Reported, Run};
+use super::{Channel, Outcome};
 
-impl Run<'_> {
-    /// Calls the program `name`, or does what stands for it.
-    pub(super) fn call_by_name(&mut self, name: &str, span: Span, arguments: Vec<Argument>, passes: u32) -> Outcome {
-        if let Some(done) = self.stand_in(name, span, &arguments, passes) {
-            return done;
-        }
-        let unit = self.find_called(name, span, &arguments)?;
-        self.call_unit(unit, arguments, passes, false)
-    }
-
-    /// Finds a program that is called, and proposes what may stand for one that is nowhere.
-    pub(super) fn find_called(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome<usize> {
-        let found = self.look_for(name, span).or_else(|missing| match missing {
-            Missing::Reported => Err(Reported),
-            Missing::Nowhere(nowhere) => {
-                let plain = called_name(name);
-                let text = arguments.iter().position(|argument| matches!(argument.value, Val::Text(_)));
-                let call = NameOfCall {
-                    name: without_extension(&plain),
-                    text: text.map(|at| at + 1),
-                    arguments: !arguments.is_empty(),
-                    tool_waits: self.channel.st.tool.waiting().is_some() || self.channel.st.tool.waits_unnamed,
-                };
-                let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
-                let help = if known { call.help_of_word() } else { call.help() };
-                self.program_missing(&plain, nowhere, &help, span)
-            }
-        });
-        if found.is_err() {
-            // What it would have done is not known.
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
-        }
-        found
-    }
-
-    /// The file that `[programs]` gives in place of `name`, unless there is a program of that name.
-    pub(super) fn file_in_place_of(&mut self, name: &str) -> Option<String> {
-        match self.channel.core.job.settings.programs.get(name) {
-            Some(StandIn::File(file)) if !self.is_here(name) => Some(file.clone()),
-            _ => None,
-        }
-    }
-
-    /// What the call of `name` does by `[programs]`; `None` for a program that is looked for.
-    fn stand_in(&mut self, name: &str, span: Span, arguments: &[Argument], passes: u32) -> Option<Outcome> {
-        let name = called_name(name);
-        let name = without_extension(&name);
-        let change = match self.channel.core.job.settings.programs.get(name)? {
-            StandIn::File(_) => return None,
-            StandIn::Change(change) => Some(*change),
-            StandIn::Ignored => None,
-        };
-        if self.is_here(name) {
-            return None;
-        }
-        let done = match change {
-            Some(change) => self.channel.change_by_program(name, &change, span, arguments, passes),
-            None if super::cycles::measures(name) => self.measuring_is_ignored(name, span, arguments),
-            None => self.channel.leave_call_out(name, span, arguments),
-        };
-        Some(done.and_then(|()| self.leave_technology(name, span)))
-    }
-
-    /// What `[programs]` says of feed and spindle is done as a block of these words would do it.
-    fn leave_technology(&mut self, name: &str, span: Span) -> Outcome {
-        let left = self.channel.core.job.settings.left_by(name);
-        let loc = self.channel.core.loc(span);
+impl Channel<'_> {
+    /// What `[programs]` says of feed and spindle: the words of a block that would do it, if there are any.
+    pub(super) fn leave_technology(&mut self, name: &str, span: Span) -> Option<Vec<u8>> {
+        let left = self.core.job.settings.left_by(name);
+        let loc = self.core.loc(span);
         let mut words: Vec<String> = Vec::new();
         match left.feed {
             Some(Left::Value(feed)) => words.push(format!("F{feed}")),
-            Some(Left::Lost) => self.channel.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: true }),
-            None if self.channel.st.feed.word().is_some() => {
-                self.channel.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: false });
+            Some(Left::Lost) => self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: true }),
+            None if self.st.feed.word().is_some() => {
+                self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: false });
             }
             None => {}
         }
         match left.speed {
             Some(Left::Value(speed)) => words.push(format!("S{speed}")),
-            Some(Left::Lost) => self.channel.left.speed = Some(Box::new((name.to_owned(), loc))),
+            Some(Left::Lost) => self.left.speed = Some(Box::new((name.to_owned(), loc))),
             None => {}
         }
         words.extend(left.spindle.map(|spindle| match spindle {
@@ -104,46 +37,18 @@ impl Run<'_> {
             LeftSpindle::CounterClockwise => "M4".to_owned(),
             LeftSpindle::Stopped => "M5".to_owned(),
         }));
-        self.channel.left.last = Some(Box::new((name.to_owned(), loc)));
-        if words.is_empty() { Ok(()) } else { self.execute_line(words.join(" ").as_bytes(), span) }
+        self.left.last = Some(Box::new((name.to_owned(), loc)));
+        (!words.is_empty()).then(|| words.join(" ").into_bytes())
     }
 
-    /// The same of a call behind MCALL.
-    pub(super) fn modal_stand_in(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Option<Outcome> {
-        let name = without_extension(name);
-        let changes = match self.channel.core.job.settings.programs.get(name)? {
-            StandIn::File(_) => return None,
-            StandIn::Change(_) => true,
-            StandIn::Ignored => false,
-        };
-        if self.is_here(name) {
-            return None;
-        }
-        self.channel.st.modal_call.end();
-        if changes {
-            return Some(self.channel.core.refuse(span, codes::S2043::changes_tool(&name)));
-        }
-        if super::cycles::measures(name) {
-            return Some(self.measuring_is_ignored(name, span, arguments));
-        }
-        let left = self.channel.core.job.settings.left_by(name);
-        if left != Leaves::default() {
-            return Some(self.channel.core.refuse(span, codes::S2043::mcall_calls_after_each_move(&name)));
-        }
-        Some(self.channel.leave_call_out(name, span, arguments).and_then(|()| self.leave_technology(name, span)))
-    }
-
-    /// What a measuring cycle sets, and where it leaves the probe, is as open as where the key leaves it out.
-    fn measuring_is_ignored(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
-        let values: Vec<Val> = arguments.iter().map(|argument| argument.value.clone()).collect();
-        self.channel.leave_cycle_out(name, &values, span)
-    }
-}
-
-impl Channel<'_> {
     /// `name` does nothing.
-    fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
-        self.says_stand_in(span, codes::P8105::is_left_out_as_programs_says(&name));
+    pub(super) fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
+        // What a measuring cycle sets, and where it leaves the probe, is as open as where the key leaves it out.
+        if super::cycles::measures(name) {
+            let values: Vec<Val> = arguments.iter().map(|argument| argument.value.clone()).collect();
+            return self.leave_cycle_out(name, &values, span);
+        }
+        self.core.report_new(codes::P8105::is_left_out_as_programs_says(&name).at(self.core.loc(span)));
         if let Some(may) = MayChange::of_call(&self.st, self.core.job.settings, arguments) {
             self.left.may_have_changed(&mut self.core, may, name, span);
         }
@@ -172,14 +77,7 @@ impl Channel<'_> {
         Ok(())
     }
 
-    fn says_stand_in(&mut self, span: Span, fault: Fault) {
-        let found = fault.at(self.core.loc(span));
-        if !self.core.job.diags.knows(&found) {
-            self.core.report(found);
-        }
-    }
-
-    fn change_by_program(
+    pub(super) fn change_by_program(
         &mut self,
         name: &str,
         change: &ChangeCall,
@@ -220,7 +118,7 @@ impl Channel<'_> {
         self.leave_behind(name, span)?;
         self.left.motion = Some(Box::new((name.to_owned(), self.core.loc(span))));
         let left = left_out(change, arguments);
-        self.says_stand_in(span, codes::P8105::changes_tool_as_programs_says(&name, &left));
+        self.core.report_new(codes::P8105::changes_tool_as_programs_says(&name, &left).at(self.core.loc(span)));
         Ok(())
     }
 

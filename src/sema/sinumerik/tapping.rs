@@ -19,7 +19,7 @@ use super::g_groups::{GCode, Group};
 use super::spindle_state::{MAIN_SPINDLE, Spindles};
 use super::state::State;
 use super::vocabulary::Address;
-use super::words::{MWord, Words};
+use super::words::{MWord, Words, misfit};
 use super::{Channel, Core, Outcome};
 
 /// The M function that may end the block in which a tap comes back.
@@ -133,7 +133,7 @@ impl Taps {
             return core.refuse(s.span, codes::S2045::speed_s_is_negative_so_sign(&s.value));
         }
         match [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().find_map(|address| w.get(*address)) {
-            Some(given) => core.does_not_fit(given.span),
+            Some(given) => core.refuse(given.span, misfit()),
             None => Ok(()),
         }
     }

@@ -9,45 +9,12 @@ use crate::ir::{Function, Side};
 use super::spindle::function_of;
 use super::vocabulary::Address;
 use super::words::{MWord, Words};
-use super::{Channel, Outcome, Run};
+use super::{Channel, Outcome};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
 /// S words of a block (S 1.2).
 const MOST_S: usize = 3;
-
-impl Run<'_> {
-    /// What acts behind the motion.
-    pub(super) fn late_functions(&mut self, w: &Words) -> Outcome {
-        for m in &w.m {
-            if matches!(m.number, 0..=2 | 17 | 30) {
-                self.channel.tapping_ends();
-            }
-            match m.number {
-                0 | 1 => {
-                    self.channel.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
-                }
-                2 | 17 | 30 => {
-                    self.channel.core.end_is_whole();
-                    if self.channel.core.in_main() {
-                        if self.channel.capture.as_ref().is_some_and(|capture| capture.ends_program(&self.channel.core))
-                        {
-                            return Err(super::Reported);
-                        }
-                        let done = self.channel.pending_must_be_done(m.span);
-                        self.channel.function(Function::End { rewind: m.number == 30 });
-                        self.channel.core.stop_run();
-                        done?;
-                    } else {
-                        self.leave_program();
-                    }
-                }
-                _ => {}
-            }
-        }
-        Ok(())
-    }
-}
 
 impl Channel<'_> {
     // F, S, T, D.

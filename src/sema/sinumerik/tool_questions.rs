@@ -5,81 +5,24 @@
 //!
 //! Source: S 5.7 (docs/sources.md).
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Fault, Help, codes};
 use crate::machine::tools::{ToolKey, Tools};
 use crate::machine::{Settings, Tool};
-use crate::parser::sinumerik::ast::{Block, Formula};
-use crate::text::Span;
 
 use super::machine_place::ToolLength;
 use super::state::State;
-use super::system_meanings::meaning_of;
 use super::tool::ToolInUse;
 use super::value::{Val, whole};
-use super::{Outcome, Run};
 
-impl Run<'_> {
-    /// `GETT("NAME",1)`: the number of a tool by its name, and of its sister by the second argument.
-    pub(super) fn number_of_named_tool(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
-        let (name, sister) = match args {
-            [Val::Text(name)] => (name, Some(1)),
-            [Val::Text(name), sister] => (name, sister.number().and_then(whole)),
-            _ => {
-                return self.channel.core.refuse(span, codes::S2021::gett_takes_name_of_tool());
-            }
-        };
-        let name = String::from_utf8_lossy(name).into_owned();
-        if sister != Some(1) {
-            return self.channel.core.refuse(span, codes::P9010::gett_asks_for_sister(&name));
-        }
-        if let Some(number) = self.channel.st.system.tool_named(&name) {
-            return Ok(Val::Int(i32::try_from(number).unwrap_or(0)));
-        }
-        let number = self.channel.tool_by_name(&name, span)?;
-        Ok(Val::Int(i32::try_from(number).unwrap_or(0)))
-    }
-
-    /// `GETEXET(T,1)`: the tool in use. `GETSELT(T,1)`: the one that T has chosen.
-    pub(super) fn asks_for_tool(
-        &mut self,
-        name: &str,
-        formulas: &[Formula],
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let [variable, spindle @ ..] = formulas else {
-            return self.channel.core.refuse(span, codes::S2021::lacks_variable_that_takes_tool(&name));
-        };
-        if let Some(spindle) = spindle.first().filter(|formula| !formula.is_missing()) {
-            let number = self.number(*spindle, block, text)?;
-            if whole(number) != Some(i32::from(self.channel.st.spindles.master())) {
-                return self.channel.core.refuse(spindle.span, codes::P9010::asks_for_tool_of_spindle(&name, &number));
-            }
-        }
-        let tool = &self.channel.st.tool;
-        let (number, variable_name) = match name {
-            "GETSELT" => (tool.next().or(tool.active()), "$P_TOOLP"),
-            _ => (tool.active(), "$P_TOOLNO"),
-        };
-        let given = || self.channel.core.job.settings.variables.get(variable_name).copied().and_then(whole);
-        let Some(number) = number.and_then(|number| i32::try_from(number).ok()).or_else(given) else {
-            let meaning = meaning_of(variable_name, &[]).unwrap_or_default();
-            let help = format!("select a tool before it, or give it under [variables]: \"{variable_name}\" = number");
-            return self.channel.core.refuse(
-                span,
-                codes::P2023::asks_for_program_has_selected_none(&name, &meaning)
-                    .help(Answer::variable(variable_name, meaning).help(help)),
-            );
-        };
-        match self.reference(*variable, block, text)? {
-            Some(reference) => {
-                self.set_reference(reference, number);
-                Ok(())
-            }
-            None => self.channel.core.refuse(variable.span, codes::S2021::needs_variable(&name)),
-        }
-    }
+/// `GETT("NAME",1)`: the name of the tool whose number is asked for, and of its sister by the second argument.
+pub(super) fn named_tool(args: &[Val]) -> Result<String, Fault> {
+    let (name, sister) = match args {
+        [Val::Text(name)] => (name, Some(1)),
+        [Val::Text(name), sister] => (name, sister.number().and_then(whole)),
+        _ => return Err(codes::S2021::gett_takes_name_of_tool()),
+    };
+    let name = String::from_utf8_lossy(name).into_owned();
+    if sister == Some(1) { Ok(name) } else { Err(codes::P9010::gett_asks_for_sister(&name)) }
 }
 
 impl State {

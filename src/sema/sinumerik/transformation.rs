@@ -6,14 +6,13 @@ use crate::diag::{Answer, codes};
 use crate::ir::transformation::Surface;
 use crate::ir::{Ask, Function, Side, Transformation};
 use crate::machine::{Axis, AxisSet, MachineKind, Transmit};
-use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::diameter::Diameter;
 use super::state::State;
 use super::vocabulary::OnSurface;
-use super::{Channel, Core, Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// The tool passes the axis of rotation.
 const AT_POLE: Ask = Ask::key("cycles", "transmit", AT_POLE_HELP).one_of(&["\"cartesian\""]);
@@ -33,44 +32,25 @@ pub(super) struct Transformed {
     as_seen: bool,
 }
 
-impl Run<'_> {
+/// A number with its place, where one is given.
+type Argument = Option<(f64, Span)>;
+
+impl Channel<'_> {
     /// `TRANSMIT`, `TRANSMIT(n)`, `TRACYL(d)`, `TRACYL(d, n, k)`
-    pub(super) fn transformation(
-        &mut self,
-        on: OnSurface,
-        formulas: &[Formula],
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let mut given = [None; 3];
-        let most = if on == OnSurface::Face { 1 } else { 3 };
-        if let Some(more) = formulas.get(most) {
-            return self.channel.core.refuse(
-                more.span,
-                codes::S2021::takes_argument(&on.word(), &most, &(if most == 1 { "" } else { "s" })),
-            );
-        }
-        for (place, formula) in given.iter_mut().zip(formulas) {
-            if !formula.is_missing() {
-                *place = Some((self.number(*formula, block, text)?, formula.span));
-            }
-        }
+    pub(super) fn transformation(&mut self, on: OnSurface, given: [Argument; 3], span: Span) -> Outcome {
         let [diameter, number, wall] = match on {
             OnSurface::Face => [None, given[0], None],
             OnSurface::Mantle => given,
         };
-        let made = surface(&self.channel.core, self.channel.st.length_unit(), on, diameter, number, wall, span)
-            .and_then(|surface| self.channel.transform(on, surface, span));
+        let made = surface(&self.core, self.st.length_unit(), on, diameter, number, wall, span)
+            .and_then(|surface| self.transform(on, surface, span));
         if made.is_err() {
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
+            self.st.position.lose(AxisSet::ALL);
+            self.lost();
         }
         made
     }
 }
-
-type Argument = Option<(f64, Span)>;
 
 fn surface(
     core: &Core<'_>,

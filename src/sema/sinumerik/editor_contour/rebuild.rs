@@ -1,6 +1,6 @@
 //! Contours of the contour editor of which only the records are left: their blocks are made anew.
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Fault, Help, codes};
 use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
 use crate::ir::undercut::Surface;
 use crate::ir::{Feed, Pos};
@@ -13,29 +13,23 @@ use super::super::diameter::Diameter;
 use super::super::g_groups::GCode;
 use super::super::state::State;
 use super::super::words::Words;
-use super::super::{Channel, Core, Outcome, Run};
+use super::super::{Channel, Core, Outcome};
 use super::made::{Contour, ContourBlock, CornerWord};
 use super::{Stored, TOLERANCE};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// What holds where the blocks are missing must be what the editor would have written into them.
     pub(super) fn can_be_rebuilt(&mut self, stored: &Stored) -> Outcome {
-        let place = |run: &mut Self| run.channel.core.here.origin.loc = stored.begin;
-        let here = self.channel.core.here.origin;
-        place(self);
+        let here = self.core.here.origin;
+        self.core.here.origin.loc = stored.begin;
         let result = self
-            .channel
             .pending_must_be_done(Where::Block)
-            .and_then(|()| diameters_are_told(&self.channel.core, &self.channel.st, stored));
-        let result = result.and_then(|()| {
-            no_state_beside(&self.channel.core, &self.channel.st, self.channel.capture.is_some(), stored)
-        });
-        self.channel.core.here.origin = here;
+            .and_then(|()| self.core.accept(Where::Block, diameters_are_told(&self.core, &self.st, stored)))
+            .and_then(|()| self.core.accept(Where::Block, no_state_beside(&self.st, stored)));
+        self.core.here.origin = here;
         result
     }
-}
 
-impl Channel<'_> {
     /// The blocks of a contour of which only the records are left.
     pub(super) fn rebuild(&mut self, made: &Contour, stored: &Stored, unit: f64) -> Outcome {
         let plane = self.st.plane();
@@ -122,7 +116,7 @@ impl Channel<'_> {
 }
 
 /// The plane block of the editor says DIAM90 for turning and DIAMOF for milling, and the header which it was.
-fn diameters_are_told(core: &Core<'_>, st: &State, stored: &Stored) -> Outcome {
+fn diameters_are_told(core: &Core<'_>, st: &State, stored: &Stored) -> Result<(), Fault> {
     let [first, second, _] = st.roles();
     let on = st.diameter_mode() != Diameter::Off;
     let turned = stored.records.iter().find_map(|record| match record {
@@ -131,7 +125,7 @@ fn diameters_are_told(core: &Core<'_>, st: &State, stored: &Stored) -> Outcome {
     });
     if on && core.is_diameter_axis(first) {
         let what = format!("{} counts in diameters, which its records never do", first.letter());
-        return core.not_rebuilt(&what, "program DIAMOF before the contour");
+        return Err(not_rebuilt(&what, "program DIAMOF before the contour"));
     }
     let across = second == Axis::X || core.is_diameter_axis(second);
     let wanted = across && turned.unwrap_or_else(|| core.is_diameter_axis(second));
@@ -155,40 +149,43 @@ fn diameters_are_told(core: &Core<'_>, st: &State, stored: &Stored) -> Outcome {
             "program DIAMOF before the contour".into(),
         )
     };
-    core.not_rebuilt(what, help)
+    Err(not_rebuilt(what, help))
 }
 
 /// What would act on each block of the contour, and is not made for records.
-fn no_state_beside(core: &Core<'_>, st: &State, describes: bool, stored: &Stored) -> Outcome {
+fn no_state_beside(st: &State, stored: &Stored) -> Result<(), Fault> {
     if st.modal_call.is_on() {
-        return core.not_rebuilt("a modal call is active", "end it by MCALL before the contour");
+        return Err(not_rebuilt("a modal call is active", "end it by MCALL before the contour"));
     }
     let off = st.tool.is_without_offset();
-    if off && !describes {
-        return core.not_rebuilt("under D0 its points count without the tool", "select D1 before the contour");
+    if off && !st.describes {
+        return Err(not_rebuilt("under D0 its points count without the tool", "select D1 before the contour"));
     }
     if st.offsets.in_machine() {
-        return core.not_rebuilt("G500 is in force", "select a work offset before the contour");
+        return Err(not_rebuilt("G500 is in force", "select a work offset before the contour"));
     }
     let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
     if undercut && st.corners.rounding() != 0.0 {
-        return core.not_rebuilt(
+        return Err(not_rebuilt(
             "RNDM is in force and would round the edges of its undercut",
             "program RNDM=0 before the contour",
-        );
+        ));
     }
     if undercut && st.corners.feed().is_some() {
-        return core.not_rebuilt(
+        return Err(not_rebuilt(
             "FRCM is in force and is the feed of the roundings of its undercut alone",
             "program FRCM=0 before the contour",
-        );
+        ));
     }
     Ok(())
 }
 
 impl Core<'_> {
-    fn not_rebuilt(&self, what: &str, help: impl Into<Help>) -> Outcome {
-        self.refuse(Where::Block, codes::S9019::contour_has_no_blocks_and_they_are_not(&what).help(help))
+    /// What follows comes from a record.
+    fn stand_at(&mut self, stored: &Stored, record: usize) {
+        if let Some(place) = stored.place_of_record(record) {
+            self.here.origin.loc = place;
+        }
     }
 
     /// What of the contour is a choice of ours or rests on facts that are not confirmed.
@@ -219,4 +216,9 @@ impl Core<'_> {
             self.say_once(Where::Block, codes::S8022::undercut_rests_on_facts_that_are_not(&doubts));
         }
     }
+}
+
+/// Why the blocks of a contour are not made from its records.
+fn not_rebuilt(what: &str, help: impl Into<Help>) -> Fault {
+    codes::S9019::contour_has_no_blocks_and_they_are_not(&what).help(help)
 }
