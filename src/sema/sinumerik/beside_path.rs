@@ -131,7 +131,7 @@ impl Run<'_> {
                 Val::Axis(named) => named,
                 other => return self.channel.core.refuse(formula.span, codes::S2031::axis_is_needed(&other.what())),
             };
-            if self.channel.printed_axis(axis, formula.span)?.is_some() {
+            if self.channel.axis_names.printed(&self.channel.core, axis, formula.span)?.is_some() {
                 let fault = codes::P9010::lets_follow_and_is_in_output(&name, &axis.text()).help(STANDS_IN_THE_OUTPUT);
                 return self.channel.core.refuse(formula.span, fault);
             }
@@ -146,7 +146,7 @@ impl Run<'_> {
             return self.channel.core.refuse(word.span, codes::P1001::lacks_axis_in_brackets(&name));
         };
         let named = self.axis_index(args, line)?;
-        let mut printed = self.channel.printed_axis(named, word.span)?.map(|_| named);
+        let mut printed = self.channel.axis_names.printed(&self.channel.core, named, word.span)?.map(|_| named);
         if let Value::Formula(formula) = word.value {
             let values = match self.eval(formula, line)? {
                 Val::List(list) => list.to_vec(),
@@ -155,7 +155,7 @@ impl Run<'_> {
             // Axes whose infeed waits for the turning points.
             for value in values {
                 if let Val::Axis(infeed) = value
-                    && self.channel.printed_axis(infeed, word.span)?.is_some()
+                    && self.channel.axis_names.printed(&self.channel.core, infeed, word.span)?.is_some()
                 {
                     printed = printed.or(Some(infeed));
                 }

@@ -9,12 +9,14 @@ use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::corners::corner_of;
 use super::g_functions::Whole;
 use super::g_groups::{GCode, Group};
 use super::names::Names;
+use super::state::State;
 use super::vocabulary::{Address, Meaning};
 use super::words::Words;
-use super::{Channel, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported};
 
 /// Addresses that shape an arc.
 pub(super) const ARC_ADDRESSES: [Address; 9] = [
@@ -40,14 +42,13 @@ pub(super) struct Behind {
 impl Channel<'_> {
     /// Carries out the words of a block that holds no call; `None` where nothing acts behind it.
     pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<Behind>> {
-        if self.st.taps.are_open() {
-            self.beside_taps(w);
+        let motion = self.st.codes.of(Group::Motion);
+        if self.st.taps.are_open() && self.st.taps.end_before(w, motion) {
+            self.tapping_ends();
         }
-        if self.st.threads.are_open() {
-            self.beside_threads(w);
-        }
-        if self.is_capturing() {
-            self.words_in_contour(w)?;
+        self.st.threads.go_on_beside(&self.core, w);
+        if let Some(capture) = &mut self.capture {
+            capture.words(&self.core, w)?;
         }
         let triggers = self.st.modal_call.cycle().is_some()
             && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
@@ -55,16 +56,20 @@ impl Channel<'_> {
             && let Some((_, span)) =
                 [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
         {
-            return self.measures_beside(probe, span).map(|()| None);
+            return probe.stands_beside(&self.core, span).map(|()| None);
         }
         match self.codes_of_block(w)? {
             Whole::No => {}
             Whole::Done => return Ok(None),
             Whole::Nonmodal { moved } => return Ok(Some(Behind { moved, triggers: false })),
         }
-        if self.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
-            self.only_tapping(w)?;
-            self.tap_begins();
+        let motion = self.st.codes.of(Group::Motion);
+        if motion.is_tapping() && !w.axes.is_empty() {
+            let st = &mut self.st;
+            st.taps.take_only(&self.core, &st.spindles, motion, w)?;
+            if !st.describes {
+                st.taps.begin(st.spindles.fixed_turns(None));
+            }
         }
         self.technology(w)?;
         self.early_functions(w)?;
@@ -73,11 +78,13 @@ impl Channel<'_> {
         if moved && self.st.corners.open.site() == corner_before {
             self.st.corners.open.close();
         }
-        self.block_behind_corner(moved)?;
+        self.st.corners.pass_block(&self.core, moved)?;
         if let Err((span, fault)) = w.leftover() {
             return self.core.refuse(span, fault);
         }
-        self.left_out_under_modal_call(w)?;
+        if self.st.modal_call.is_on() {
+            w.moves_what_is_left_out(&self.core)?;
+        }
         Ok(Some(Behind { moved, triggers }))
     }
 
@@ -125,7 +132,7 @@ impl Channel<'_> {
     /// The motion of the block. True if axes moved along a path.
     fn motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         let interpolation = self.st.codes.of(Group::Motion);
-        self.modal_contour_words(w)?;
+        self.st.modal_contour_words(&self.core, w)?;
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
         let round = matches!(interpolation, GCode::G2 | GCode::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
@@ -147,7 +154,7 @@ impl Channel<'_> {
             }
         }
         if !moves {
-            return self.without_path(w, block.span);
+            return without_path(&self.core, w, block.span);
         }
         if interpolation != GCode::G33 {
             self.st.threads.end_chain();
@@ -161,20 +168,9 @@ impl Channel<'_> {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
-            self.suppressed_tool(w, span)?;
+            self.st.suppressed_tool(&self.core, w, span)?;
         }
         self.path_block(w, interpolation, polar, block.span).map(|()| true)
-    }
-
-    /// A block of words that names no place to go to.
-    fn without_path(&self, w: &Words, span: Span) -> Outcome<bool> {
-        if self.core.has_corner_words(w) {
-            return self.core.no_corner(span);
-        }
-        if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
-            self.core.say_once(span, codes::S8103::words_that_only_steer_control());
-        }
-        Ok(false)
     }
 
     /// Checks the path of a block, sends it, and the corner behind it.
@@ -183,14 +179,17 @@ impl Channel<'_> {
             let [first, second, _] = self.st.roles();
             w.axes.contains(first) || w.axes.contains(second)
         };
-        self.check_offsets(w)?;
-        self.check_start_of_compensation(interpolation, in_plane, span)?;
-        if interpolation == GCode::G33 {
-            self.no_corner_at_thread(w, span)?;
+        // A contour is a shape: no tool follows it.
+        if self.capture.is_none() {
+            check_offsets(&self.core, &self.st, w)?;
         }
-        let corner = self.corner_words(w)?;
+        self.st.compensation.moves(&self.core, self.st.side(), interpolation, in_plane, span)?;
+        if interpolation == GCode::G33 {
+            self.st.corners.none_at_thread(&self.core, w, span)?;
+        }
+        let corner = corner_of(&self.core, &self.st, w)?;
         if !matches!(interpolation, GCode::G0 | GCode::G1) {
-            self.only_lines_in_a_pair(span)?;
+            self.st.pair.only_lines(&self.core, &mut self.st.position, span)?;
         }
         match interpolation {
             GCode::G0 | GCode::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
@@ -211,28 +210,14 @@ impl Channel<'_> {
     /// The motion of the block, as far as the probe lets it be printed.
     fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         match w.probe {
-            Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false),
+            Some(probe) if !probe.whole_way && !self.core.never_touches() => self.probe_block(w, probe).map(|()| false),
             Some(probe) => {
                 self.may_leave_probe_out(probe)?;
                 let moved = self.motion(w, block)?;
-                Ok(self.measured_on_the_way(probe, moved))
+                self.measured.on_the_way(&self.core, &mut self.st.system, probe, moved);
+                Ok(moved)
             }
             None => self.motion(w, block),
-        }
-    }
-
-    /// Under D0 the control counts from the spindle nose, which the target cannot say.
-    fn check_offsets(&self, w: &Words) -> Outcome {
-        // A contour is a shape: no tool follows it.
-        let off = !self.is_capturing() && self.st.tool.is_without_offset();
-        if !off || self.st.offsets.in_machine() {
-            return Ok(());
-        }
-        let [_, _, third] = self.st.roles();
-        let lengths = if self.st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
-        match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
-            Some(given) => self.core.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
-            None => Ok(()),
         }
     }
 
@@ -247,9 +232,34 @@ impl Channel<'_> {
         if w.get(Address::Ang).is_some() || self.st.pair.is_open() {
             return self.angle_block(w, path, corner);
         }
-        let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
+        let end = if polar { self.st.polar_end(&mut self.core, w)? } else { self.st.targets(&self.core, w)? };
         self.send(&end, path);
         Ok(())
+    }
+}
+
+/// A block of words that names no place to go to.
+fn without_path(core: &Core<'_>, w: &Words, span: Span) -> Outcome<bool> {
+    if w.shapes_corner() {
+        return core.no_corner(span);
+    }
+    if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
+        core.say_once(span, codes::S8103::words_that_only_steer_control());
+    }
+    Ok(false)
+}
+
+/// Under D0 the control counts from the spindle nose, which the target cannot say.
+fn check_offsets(core: &Core<'_>, st: &State, w: &Words) -> Outcome {
+    let off = st.tool.is_without_offset();
+    if !off || st.offsets.in_machine() {
+        return Ok(());
+    }
+    let [_, _, third] = st.roles();
+    let lengths = if st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
+    match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
+        Some(given) => core.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
+        None => Ok(()),
     }
 }
 

@@ -148,7 +148,7 @@ impl Run<'_> {
             let hole = channel.hole_of(row, &given)?;
             let feed_of_block = drilling.modal_feed;
             let under = (channel.st.plane(), channel.st.length_unit());
-            let (here, spindle) = (channel.core.here, channel.spindle_state());
+            let (here, spindle) = (channel.core.here, channel.st.spindle_state());
             let made = ModalCycle { hole, given, here, spindle, feed_of_block, under, refused: false };
             channel.st.modal_call.set_cycle(Box::new(made));
             return Ok(());

@@ -74,7 +74,10 @@ impl Run<'_> {
             }
             part => self.call(call.unit, Vec::new(), 1, false, part),
         };
-        while entered.is_ok() && self.channel.in_contour() && !self.channel.core.has_ended() {
+        while entered.is_ok()
+            && self.channel.capture.as_ref().is_some_and(|capture| capture.goes_on(&self.channel.core))
+            && !self.channel.core.has_ended()
+        {
             step(self);
         }
         let pending = self.channel.pending_must_be_done(Where::Block);

@@ -35,7 +35,7 @@ impl Run<'_> {
 
     /// The current program is over: M17, RET, its end of file.
     pub(super) fn leave_program(&mut self) {
-        if self.channel.ends_inside_contour() {
+        if self.channel.capture.as_ref().is_some_and(|capture| capture.ends_program(&self.channel.core)) {
             return;
         }
         let core = &mut self.channel.core;
@@ -69,7 +69,9 @@ impl Run<'_> {
         }
         self.vars.leave();
         let _ = core.leave();
-        self.channel.level_ended();
+        if let Some(capture) = &mut self.channel.capture {
+            capture.level_ended(self.channel.core.levels.len());
+        }
     }
 
     /// The text of a program is over. Kinds of programs that end without M17 or M30 are worth a word.

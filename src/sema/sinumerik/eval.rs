@@ -269,7 +269,7 @@ impl Run<'_> {
         }
         let word = self.channel.core.symbols.name(name);
         if let Some(named) = self.channel.axis_names.find(word) {
-            self.channel.printed_axis(named, span)?;
+            self.channel.axis_names.printed(&self.channel.core, named, span)?;
             return Ok(Val::Axis(named));
         }
         if let Some(value) = constant(word) {
@@ -307,7 +307,7 @@ impl Run<'_> {
             let fault = codes::S9133::is_result_of_measuring_cycles(&key, &said_meaning(&word, args));
             return self.channel.core.refuse(span, fault.help(help));
         };
-        self.channel.says_given(&key, value, true, span);
+        self.channel.measured.says_given(&self.channel.core, &key, value, true, span);
         Ok(Some(Val::Real(value)))
     }
 

@@ -48,12 +48,13 @@ impl Channel<'_> {
             self.modal_code(code, span)?;
         }
         if let Some((indexed, axis, span)) = w.diameter {
-            self.axis_diameter(indexed, axis, span)?;
+            self.st.select_diameter(&self.core, indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
             self.core.say_once(span, codes::S8002::words_that_only_shape_speed());
         }
-        self.smoothing_words(w);
+        self.st.smoothing.program(&self.core, &self.st.codes, w);
+        self.send_smoothing();
         Ok(())
     }
 
@@ -63,7 +64,7 @@ impl Channel<'_> {
             Group::Motion => {
                 self.core.accept(span, code.can_be_printed())?;
                 self.st.codes.activate(code);
-                self.motion_left = None;
+                self.left.motion = None;
             }
             Group::Nonmodal | Group::Frame | Group::Suppression => {}
             Group::ExactStopBlock => {}
@@ -77,9 +78,12 @@ impl Channel<'_> {
                     self.plane_change(code, span)?;
                 }
             }
-            Group::Compensation => self.compensation_code(code, span)?,
+            Group::Compensation => {
+                let st = &mut self.st;
+                st.compensation.select(&self.core, &mut st.codes, st.path.is_computed(), code, span)?;
+            }
             Group::WorkOffset => self.work_offset(code.index, span)?,
-            Group::FeedType => self.feed_code(code, span)?,
+            Group::FeedType => self.st.feed_code(&self.core, code, span)?,
             Group::Diameter => {
                 if code != GCode::DIAMOF && self.core.job.settings.machine.diameter_axis.is_none() {
                     return self.core.no_diameter_axis(span);

@@ -272,7 +272,14 @@ impl Channel<'_> {
             Procedure::TransformationOff | Procedure::DiameterChannel if has_arguments => {
                 self.core.refuse(span, codes::S2021::takes_no_argument(&name))
             }
-            Procedure::TransformationOff => self.transformation_off(span),
+            Procedure::TransformationOff => {
+                let on = self.st.transformation.is_some();
+                let ended = self.transformation_ends(span);
+                if ended.is_ok() && !on {
+                    self.core.say_once(span, codes::S8103::words_that_only_steer_control());
+                }
+                ended
+            }
             Procedure::DiameterChannel => {
                 self.st.diameter = None;
                 Ok(())

@@ -40,7 +40,10 @@ impl Run<'_> {
         line: Line<'_>,
     ) -> Outcome<Given> {
         let name = row.signature.name;
-        self.channel.no_cycle_in_contour(name, span)?;
+        if let Some(capture) = &mut self.channel.capture {
+            let fault = |contour: &str| codes::S2091::stands_in_contour(&name, &contour);
+            return capture.refuse(&self.channel.core, span, fault);
+        }
         let parameters = row.signature.parameters;
         let mut given = Given::new(&row.signature, name, span.into(), self.channel.st.length_unit());
         let formulas = line.arguments_of(args);

@@ -52,10 +52,10 @@ mod known_values;
 mod known_words;
 mod lane;
 mod language_procedures;
+mod left_behind;
 mod left_out;
 mod levels;
 mod line;
-mod lost_change;
 mod machine_place;
 mod machining;
 mod macros;
@@ -121,11 +121,10 @@ use crate::text::{Span, SplitRules};
 use super::run::unexecuted::Blocks;
 use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
-use capture::PartEnds;
 use channel::Channel;
 use externs::Externs;
 use lane::Lane;
-use levels::Frame;
+use levels::{Frame, PartEnds};
 use line::{Line, NextText};
 use macros::Sinumerik;
 use names::Names;
@@ -273,7 +272,9 @@ impl<'a> Interpreter<'a> for Run<'a> {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.channel.lane = Lane::Closed;
             self.execute_any(Line { block, text });
-            self.channel.block_stop_ends();
+            if self.channel.st.smoothing.block_ends() {
+                self.channel.send_smoothing();
+            }
             self.channel.lane = self.channel.open_lane();
         }
     }
@@ -297,10 +298,14 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn level_ends(&mut self) -> bool {
         let at = self.channel.core.program().source.cursor.place().at;
         if self.channel.core.levels.len() > 1
-            && let Some(part) = self.channel.section_ends(at)
+            && let Some(part) = self.channel.core.part_ends(at)
         {
-            if matches!(part, PartEnds::Program) {
-                self.leave_program();
+            match (part, &mut self.channel.capture) {
+                (PartEnds::Program, _) => self.leave_program(),
+                (PartEnds::Section { over: true }, Some(capture)) => {
+                    capture.level_ended(self.channel.core.levels.len())
+                }
+                (PartEnds::Section { .. }, _) => {}
             }
             self.channel.lane = Lane::Closed;
             return true;
@@ -320,7 +325,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn finish(&mut self) {
-        self.channel.report_lost_change();
+        self.channel.left.report_change(&mut self.channel.core);
         self.channel.core.report_no_change();
         self.channel.report_open();
         self.units.report_others(&mut self.channel.core);
@@ -351,7 +356,7 @@ impl Run<'_> {
             }
         }
         if self.channel.st.stored.is_some() {
-            self.channel.note_stored_block();
+            self.channel.st.stored_block_begins(&self.channel.core);
         }
         if self.channel.curve_table.is_some() {
             let _ = self.table_block(block);
@@ -359,7 +364,7 @@ impl Run<'_> {
         }
         // What went wrong was reported; the next block may show more.
         if self.statement(line).is_err() {
-            self.channel.begin_no_compensation();
+            self.channel.st.compensation.end_unselected(&mut self.channel.st.codes);
         }
     }
 

@@ -25,9 +25,9 @@ impl Channel<'_> {
                     let fault = codes::P1002::axis_stands_twice_in_block_so_delete_one(&named.text());
                     return self.core.refuse(given.span, fault);
                 }
-                return self.axis_word(words, named, given);
+                return words.add_axis(&self.core, &mut self.axis_names, named, given);
             }
-            (Indexed::Pos, Some(named), Some(given)) => match self.printed_axis(named, given.span)? {
+            (Indexed::Pos, Some(named), Some(given)) => match self.axis_names.printed(&self.core, named, given.span)? {
                 Some(axis) => words.beside.positioning.push(Positioning { axis, given }),
                 None => words.beside.left_out.push((named, given.span)),
             },
@@ -54,7 +54,7 @@ impl Channel<'_> {
             },
             // POSA moves its axis while the next blocks run.
             (Indexed::Posa, Some(named), _) => {
-                if self.printed_axis(named, span)?.is_some() {
+                if self.axis_names.printed(&self.core, named, span)?.is_some() {
                     let fault = codes::S9008::axis_that_moves_beside_path_cannot();
                     return self.core.refuse(span, fault.answer(Answer::key("machine", "axes")));
                 }
@@ -85,8 +85,10 @@ impl Channel<'_> {
             return words.set_address(&self.core, address, given);
         }
         if address == Address::Lims {
-            return self.speed_limit_of(spindle, given);
+            return self.st.spindles.speed_limit(&self.core, Some(spindle), given);
         }
-        self.spindle_position_of(spindle, given)
+        let turned = self.st.spindles.position_of(&self.core, spindle, given)?;
+        self.function(turned);
+        Ok(())
     }
 }

@@ -39,7 +39,7 @@ impl Channel<'_> {
                 self.early_functions(w)?;
                 moved = true;
                 let feed = self.cutting_feed(w)?;
-                let end = self.targets(w)?;
+                let end = self.st.targets(&self.core, w)?;
                 self.pending_must_be_done(span)?;
                 if !end.known().is_empty() {
                     self.send(&end, Path::Line(feed));
@@ -84,7 +84,7 @@ impl Channel<'_> {
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
             (None, Some(s)) => {
-                self.left_speed_is_known("this waits for turns of the spindle")?;
+                self.left.speed_is_known(&self.core, self.capture.is_some(), "this waits for turns of the spindle")?;
                 let turns = self.st.spindles.fixed_turns(s.spindle);
                 let speed = turns.filter(|speed| *speed > 0.0);
                 match speed {
@@ -101,7 +101,7 @@ impl Channel<'_> {
         if !(0.0..=MOST_SECONDS).contains(&seconds) {
             return self.core.refuse(span, codes::P2003::dwell_lies_between_0());
         }
-        if !self.waits_in_tap(seconds) {
+        if !self.st.taps.wait(seconds) {
             self.function(Function::Dwell(seconds));
         }
         Ok(())
@@ -126,7 +126,7 @@ impl Channel<'_> {
         let number = if code == GCode::G75 { self.core.fixed_point_number(w)? } else { 0 };
         let mut named: Vec<Axis> = w.axes.iter().collect();
         for machine_axis in &w.beside.machine {
-            named.extend(self.machine_axis(*machine_axis)?);
+            named.extend(self.axis_names.machine_axis(&self.core, *machine_axis)?);
         }
         let machine = &self.core.job.settings.machine;
         let (points, key) = match number {

@@ -6,10 +6,10 @@ use crate::diag::codes;
 use crate::ir::Function;
 use crate::ir::function::PathControl;
 
-use super::Channel;
 use super::g_groups::{ActiveCodes, GCode, Group};
 use super::vocabulary::Address;
 use super::words::Words;
+use super::{Channel, Core};
 
 /// What the program says of corners.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -54,41 +54,37 @@ impl Smoothing {
     pub fn restore(&mut self, saved: Smoothing) {
         (self.said, self.cycle) = (saved.said, saved.cycle);
     }
+
+    /// The words of a block that say how corners are taken.
+    pub fn program(&mut self, core: &Core<'_>, codes_on: &ActiveCodes, w: &Words) {
+        let unit = codes_on.length_unit();
+        let code = w.code_of(Group::ExactStop);
+        if code.is_some() {
+            (self.said, self.cycle) = (true, None);
+        }
+        if let Some(distance) = w.smoothing.distance {
+            self.distance = distance * unit;
+        }
+        if let Some(tolerance) = w.smoothing.tolerance {
+            self.tolerance = tolerance * unit;
+        }
+        self.block = w.code_of(Group::ExactStopBlock).is_some() && may_move(w);
+        if let Some((code, span)) = code
+            && matches!(code.index, 4..)
+            && self.mode(codes_on).is_none()
+        {
+            core.say_once(span, codes::S8002::rounds_corners_by_machine_data(&code.word()));
+        }
+    }
+
+    /// Behind its block, G9 counts no longer. True where it stood there.
+    #[inline]
+    pub fn block_ends(&mut self) -> bool {
+        std::mem::take(&mut self.block)
+    }
 }
 
 impl Channel<'_> {
-    /// The words of a block that say how corners are taken.
-    pub(super) fn smoothing_words(&mut self, w: &Words) {
-        let unit = self.st.codes.length_unit();
-        let code = w.code_of(Group::ExactStop);
-        let smoothing = &mut self.st.smoothing;
-        if code.is_some() {
-            (smoothing.said, smoothing.cycle) = (true, None);
-        }
-        if let Some(distance) = w.smoothing.distance {
-            smoothing.distance = distance * unit;
-        }
-        if let Some(tolerance) = w.smoothing.tolerance {
-            smoothing.tolerance = tolerance * unit;
-        }
-        smoothing.block = w.code_of(Group::ExactStopBlock).is_some() && may_move(w);
-        if let Some((code, span)) = code
-            && matches!(code.index, 4..)
-            && self.st.smoothing.mode(&self.st.codes).is_none()
-        {
-            self.core.say_once(span, codes::S8002::rounds_corners_by_machine_data(&code.word()));
-        }
-        self.send_smoothing();
-    }
-
-    /// Behind its block, G9 counts no longer.
-    #[inline]
-    pub(super) fn block_stop_ends(&mut self) {
-        if std::mem::take(&mut self.st.smoothing.block) {
-            self.send_smoothing();
-        }
-    }
-
     /// CYCLE832: a tolerance of the contour in the unit of the program, or none.
     pub(super) fn smooth_by_cycle(&mut self, tolerance: Option<f64>) {
         let unit = self.st.codes.length_unit();
@@ -104,7 +100,7 @@ impl Channel<'_> {
     /// Hands on how corners are taken, where it changed. A contour that is only described says nothing of it.
     pub(super) fn send_smoothing(&mut self) {
         let mode = self.st.smoothing.mode(&self.st.codes);
-        if mode != self.st.smoothing.sent && !self.is_capturing() {
+        if mode != self.st.smoothing.sent && self.capture.is_none() {
             self.st.smoothing.sent = mode;
             self.function(Function::PathControl(mode));
         }

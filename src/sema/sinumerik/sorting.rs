@@ -86,7 +86,7 @@ impl Run<'_> {
             return self.channel.core.refuse(word.span, codes::S2016::address_r_has_no_meaning());
         }
         match self.channel.axis_names.letter(letter) {
-            Some(named) => self.channel.axis_word(words, named, given),
+            Some(named) => words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given),
             None => words.set_letter(&self.channel.core, &self.names.gcodes, letter, word, given),
         }
     }
@@ -111,7 +111,7 @@ impl Run<'_> {
             }
             (Meaning::Axis(named), _) => {
                 let given = self.given(word, line)?;
-                self.channel.axis_word(words, named, given)?;
+                words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given)?;
             }
             (_, b'T') if number <= 1 => {
                 let Value::Formula(formula) = word.value else { return Err(Reported) };
@@ -201,7 +201,7 @@ impl Run<'_> {
             }
             Meaning::Axis(named) => {
                 let given = self.given(word, line)?;
-                self.channel.axis_word(words, named, given)?;
+                words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given)?;
             }
             meaning => {
                 let other = self.other_word(words, (name, meaning), None, word, line)?;

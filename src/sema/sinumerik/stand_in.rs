@@ -9,6 +9,7 @@ use crate::text::Span;
 
 use super::feed::FeedLeft;
 use super::g_groups::GCode;
+use super::left_behind::MayChange;
 use super::value::Val;
 use super::vars::Argument;
 use super::{Channel, Outcome};
@@ -29,7 +30,7 @@ impl Channel<'_> {
         }
         match left.speed {
             Some(Left::Value(speed)) => words.push(format!("S{speed}")),
-            Some(Left::Lost) => self.speed_lost = Some(Box::new((name.to_owned(), loc))),
+            Some(Left::Lost) => self.left.speed = Some(Box::new((name.to_owned(), loc))),
             None => {}
         }
         words.extend(left.spindle.map(|spindle| match spindle {
@@ -37,7 +38,7 @@ impl Channel<'_> {
             LeftSpindle::CounterClockwise => "M4".to_owned(),
             LeftSpindle::Stopped => "M5".to_owned(),
         }));
-        self.call_left = Some(Box::new((name.to_owned(), loc)));
+        self.left.last = Some(Box::new((name.to_owned(), loc)));
         (!words.is_empty()).then(|| words.join(" ").into_bytes())
     }
 
@@ -72,8 +73,10 @@ impl Channel<'_> {
             return self.leave_cycle_out(name, &values, span);
         }
         self.core.report_new(codes::P8105::is_left_out_as_programs_says(&name).at(self.core.loc(span)));
-        self.may_have_changed(name, span, arguments);
-        self.motion_left = Some(Box::new((name.to_owned(), self.core.loc(span))));
+        if let Some(may) = MayChange::of_call(&self.st, self.core.job.settings, arguments) {
+            self.left.may_have_changed(&mut self.core, may, name, span);
+        }
+        self.left.motion = Some(Box::new((name.to_owned(), self.core.loc(span))));
         self.leave_behind(name, span)
     }
 
@@ -96,71 +99,6 @@ impl Channel<'_> {
             self.only_known_axes_stand();
         }
         Ok(())
-    }
-
-    /// What a feed move lacks: `usual`, and where no G code of the path stands between it and a call that stands for a program of
-    /// the machine, that the call may leave G0 active.
-    pub(super) fn or_left_at_rapid(&self, usual: Help) -> Help {
-        let Some((name, loc)) = self.motion_left.as_deref() else { return usual };
-        let settings = &self.core.job.settings;
-        if settings.left_by(name).rapid.is_some() {
-            return usual;
-        }
-        let Some(entry) = self.entry_with(name, "motion = \"G0\"") else { return usual };
-        let text = format!(
-            "{}; or if {name} in line {} leaves G0 active, say so: `[programs] {name} = {entry}`",
-            usual.text, loc.line
-        );
-        let answer = Answer::key("programs", name).one_of(&[entry]);
-        let mut help = Help { text, answers: usual.answers };
-        help.answers.insert(0, answer);
-        help
-    }
-
-    /// The entry of `[programs]` for this call with one thing more in it.
-    fn entry_with(&self, name: &str, more: &str) -> Option<String> {
-        let settings = &self.core.job.settings;
-        let what = match settings.programs.get(name)? {
-            StandIn::Change(ChangeCall { tool: Some(tool), .. }) => format!("tool = {tool}"),
-            StandIn::Change(ChangeCall { tool: None, .. }) => "change = true".to_owned(),
-            StandIn::Ignored => "ignore = true".to_owned(),
-            StandIn::File(_) => return None,
-        };
-        let edge = match settings.programs.get(name) {
-            Some(StandIn::Change(ChangeCall { edge: Some(edge), .. })) => format!(", d = {edge}"),
-            _ => String::new(),
-        };
-        let left = settings.left_by(name);
-        let motion = left.rapid.map(|rapid| if rapid { ", motion = \"G0\"" } else { ", motion = \"G1\"" });
-        let axes: Vec<String> = left.lost.iter().map(|axis| format!("\"{}\"", axis.letter())).collect();
-        let lost = if axes.is_empty() { String::new() } else { format!(", lost = [{}]", axes.join(", ")) };
-        let value = |key: &str, value: Option<Left>| match value {
-            Some(Left::Value(value)) => format!(", {key} = {value}"),
-            Some(Left::Lost) => format!(", {key} = \"lost\""),
-            None => String::new(),
-        };
-        let (feed, speed) = (value("feed", left.feed), value("speed", left.speed));
-        Some(format!("{{ {what}{edge}{}{lost}{feed}{speed}, {more} }}", motion.unwrap_or_default()))
-    }
-
-    /// What a spindle lacks that does not turn: `usual`, and after a call that stands for a program of the machine, that the call may
-    /// start it.
-    pub(super) fn or_started_by_call(&self, usual: Help) -> Help {
-        let Some((name, loc)) = self.call_left.as_deref() else { return usual };
-        if self.core.job.settings.left_by(name).spindle.is_some() {
-            return usual;
-        }
-        let entries: Vec<String> =
-            ["M3", "M4"].iter().filter_map(|m| self.entry_with(name, &format!("spindle = \"{m}\""))).collect();
-        let [entry, ..] = &entries[..] else { return usual };
-        let text = format!(
-            "{}; or if {name} in line {} starts the spindle, say so: `[programs] {name} = {entry}`",
-            usual.text, loc.line
-        );
-        let answer = Answer::key("programs", name).one_of(&entries);
-        let mut help = Help { text, answers: usual.answers };
-        help.answers.insert(0, answer);
-        help
     }
 
     pub(super) fn change_by_program(
@@ -202,7 +140,7 @@ impl Channel<'_> {
         self.only_known_axes_stand();
         self.stand_after_change();
         self.leave_behind(name, span)?;
-        self.motion_left = Some(Box::new((name.to_owned(), self.core.loc(span))));
+        self.left.motion = Some(Box::new((name.to_owned(), self.core.loc(span))));
         let left = left_out(change, arguments);
         self.core.report_new(codes::P8105::changes_tool_as_programs_says(&name, &left).at(self.core.loc(span)));
         Ok(())
@@ -217,7 +155,7 @@ impl Channel<'_> {
             }
             None | Some(Val::Missing) => self.core.refuse(span, codes::S2043::has_no_argument(&name, &place)),
             Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
-                Some(number) => self.tool_by_number(number as u32, span),
+                Some(number) => self.core.tool_by_number(number as u32, span),
                 None => self.core.refuse(span, codes::S2043::argument_of_is_no_tool(&place, &name)),
             },
         }

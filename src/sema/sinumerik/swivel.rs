@@ -112,7 +112,7 @@ impl Channel<'_> {
 
     fn shift_workpiece(&mut self, shift: FrameValue) {
         self.st.frames.set_swivelled(shift);
-        self.refresh_frame();
+        self.st.refresh_frame(&self.core);
     }
 
     /// A shift stands outside of the programmable frame, which a new plane deletes on the control.
@@ -184,7 +184,7 @@ impl Channel<'_> {
         if way < 0.0 {
             return self.core.refuse(span, codes::S9006::retraction_fr_i());
         }
-        let Some(at) = self.st.position.get(Axis::Z) else { return self.unknown_axis(Axis::Z, span) };
+        let Some(at) = self.st.position.get(Axis::Z) else { return self.st.unknown_axis(&self.core, Axis::Z, span) };
         let mut end = Pos::UNKNOWN;
         end.set(Axis::Z, at + way);
         self.leaves_touched(end.known(), true)?;

@@ -10,8 +10,10 @@ use super::frames::FrameValue;
 use super::offsets::{Outer, offset_word};
 use super::state::State;
 use super::system_meanings::{is_measured, meaning_of, said_meaning};
+use super::system_variables::SystemVariables;
+use super::tool_questions::tool_is_asked;
 use super::value::Val;
-use super::{Channel, Outcome};
+use super::{Channel, Core, Outcome};
 
 impl State {
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
@@ -32,6 +34,31 @@ fn or_untouched(mut help: Help) -> Help {
     help.and(Answer::key("control", "probing_contact").one_of(&["\"none\""]))
 }
 
+impl SystemVariables {
+    /// `$SC_…`, `$SN_…`: setting data, which change what other words do.
+    fn write_setting(&mut self, core: &Core<'_>, word: &str, key: String, value: Val, span: Span) -> Outcome {
+        let on_the_machine = core.job.settings.variables.get(&key).copied();
+        let changes = on_the_machine.is_none() || on_the_machine != value.number();
+        match word {
+            // Read by increments and threads. Behind a new tool length no increment has a place to count from.
+            "$SC_FRAME_OFFSET_INCR_PROG" | "$SC_THREAD_START_ANGLE" | "$SC_TOOL_OFFSET_INCR_PROG" => {}
+            "$SC_DRY_RUN_FEED" | "$SC_SINGLEBLOCK2_STOPRE" => {
+                core.say_once(span, codes::S8006::is_for_trial_runs(&word));
+            }
+            _ if changes => {
+                let shown = value.number().unwrap_or(0.0);
+                return core.refuse(
+                    span,
+                    codes::S9103::is_setting_datum(&word, &key, &shown).answer(Answer::key("variables", &key)),
+                );
+            }
+            _ => {}
+        }
+        self.set(key, value);
+        Ok(())
+    }
+}
+
 impl Channel<'_> {
     /// What the program and `[tools]` determine goes before a value of `[variables]`.
     fn says_unused(&self, key: &str, value: &Val, span: Span) {
@@ -49,7 +76,7 @@ impl Channel<'_> {
             self.says_unused(&key, &value, span);
             return Ok(value);
         }
-        if let Some(value) = self.untouched_value(&word, &key, span)? {
+        if let Some(value) = self.measured.untouched_value(&self.core, &self.st.system, &word, &key, span)? {
             self.says_unused(&key, &value, span);
             return Ok(value);
         }
@@ -62,15 +89,17 @@ impl Channel<'_> {
         }
         if let Some(value) = self.core.job.settings.variables.get(&key).copied() {
             if is_measured(&word) {
-                self.says_given(&key, value, false, span);
+                self.measured.says_given(&self.core, &key, value, false, span);
             }
             return Ok(Val::Real(value));
         }
-        let help = self.tool_is_asked(&word, args, &key).unwrap_or_else(|| {
-            let meaning = meaning_of(&word, args).unwrap_or_default();
-            let help = Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
-            if word == "$AC_MEA" && !self.never_touches() { or_untouched(help) } else { help }
-        });
+        let help =
+            tool_is_asked(&self.core.job.settings.tools, &self.st.tool, &word, args, &key).unwrap_or_else(|| {
+                let meaning = meaning_of(&word, args).unwrap_or_default();
+                let help =
+                    Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
+                if word == "$AC_MEA" && !self.core.never_touches() { or_untouched(help) } else { help }
+            });
         self.core.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
     }
 
@@ -81,7 +110,9 @@ impl Channel<'_> {
         match word.as_str() {
             "$P_PFRAME" | "$P_IFRAME" => self.write_frame(&word, args, &value, span),
             "$P_UIFR" => self.write_offset(args, &value, span),
-            _ if starts(&["$SC_", "$SN_"]) => self.write_setting(&word, system_key(&word, args), value, span),
+            _ if starts(&["$SC_", "$SN_"]) => {
+                self.st.system.write_setting(&self.core, &word, system_key(&word, args), value, span)
+            }
             _ if starts(&["$TC_", "$AC_MARKER", "$AC_PARAM", "$P_AD"]) => {
                 let unit = self.st.tool_data_unit(&word);
                 let value = match value.number() {
@@ -93,7 +124,7 @@ impl Channel<'_> {
                     self.core.report_new(codes::S8010::is_not_printed(&word).at(self.core.loc(span)));
                 }
                 let key = system_key(&word, args);
-                self.radius_is_written(&word, &key);
+                self.st.tool.is_written(&word, &key);
                 self.st.system.set(key, value);
                 Ok(())
             }
@@ -114,14 +145,14 @@ impl Channel<'_> {
         let programmable = word == "$P_PFRAME";
         let old = if programmable { Some(self.st.frames.programmable()) } else { self.st.frames.settable() };
         let frame = self.new_frame(old.cloned().unwrap_or_default(), args, value, span)?;
-        self.frame_is_free(span)?;
+        self.st.codes.frame_is_free(&self.core, span)?;
         if programmable {
             self.st.frames.set_programmable(frame);
-            self.refresh_frame();
+            self.st.refresh_frame(&self.core);
         } else {
             self.core.resolved_offset_note(span);
-            self.resolves_offsets(span)?;
-            self.counts_from(Outer::Basic, Some(frame));
+            self.st.offsets.resolve(&self.core, &mut self.st.position, span)?;
+            self.st.counts_from(&self.core, Outer::Basic, Some(frame));
         }
         Ok(())
     }
@@ -131,7 +162,7 @@ impl Channel<'_> {
         let Some((number, rest)) = self.core.offset_number(args, span)? else {
             return self.core.refuse(span, codes::S2018::number_of_work_offset_is_missing());
         };
-        let old = match self.offset_frame(number) {
+        let old = match self.st.frames.offset_of(&self.core.job.settings.datums, number) {
             Some(frame) => frame,
             None if rest.is_empty() => FrameValue::default(),
             None => {
@@ -143,29 +174,6 @@ impl Channel<'_> {
         let frame = self.new_frame(old, rest, value, span)?;
         self.st.frames.write(number, frame);
         self.core.resolved_offset_note(span);
-        Ok(())
-    }
-
-    /// `$SC_…`, `$SN_…`: setting data, which change what other words do.
-    fn write_setting(&mut self, word: &str, key: String, value: Val, span: Span) -> Outcome {
-        let on_the_machine = self.core.job.settings.variables.get(&key).copied();
-        let changes = on_the_machine.is_none() || on_the_machine != value.number();
-        match word {
-            // Read by increments and threads. Behind a new tool length no increment has a place to count from.
-            "$SC_FRAME_OFFSET_INCR_PROG" | "$SC_THREAD_START_ANGLE" | "$SC_TOOL_OFFSET_INCR_PROG" => {}
-            "$SC_DRY_RUN_FEED" | "$SC_SINGLEBLOCK2_STOPRE" => {
-                self.core.say_once(span, codes::S8006::is_for_trial_runs(&word));
-            }
-            _ if changes => {
-                let shown = value.number().unwrap_or(0.0);
-                return self.core.refuse(
-                    span,
-                    codes::S9103::is_setting_datum(&word, &key, &shown).answer(Answer::key("variables", &key)),
-                );
-            }
-            _ => {}
-        }
-        self.st.system.set(key, value);
         Ok(())
     }
 
@@ -189,7 +197,7 @@ impl Channel<'_> {
         let Some(named) = self.axis_names.find(&name) else {
             return self.core.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
         };
-        self.printed_axis(named, span)?;
+        self.axis_names.printed(&self.core, named, span)?;
         Ok(Val::Axis(named))
     }
 }

@@ -6,11 +6,12 @@
 //! Source: S 5.7 (docs/sources.md).
 
 use crate::diag::{Answer, Fault, Help, codes};
-use crate::machine::Tool;
-use crate::machine::tools::ToolKey;
+use crate::machine::tools::{ToolKey, Tools};
+use crate::machine::{Settings, Tool};
 
-use super::Channel;
 use super::machine_place::ToolLength;
+use super::state::State;
+use super::tool::ToolInUse;
 use super::value::{Val, whole};
 
 /// `GETT("NAME",1)`: the name of the tool whose number is asked for, and of its sister by the second argument.
@@ -24,16 +25,16 @@ pub(super) fn named_tool(args: &[Val]) -> Result<String, Fault> {
     if sister == Some(1) { Ok(name) } else { Err(codes::P9010::gett_asks_for_sister(&name)) }
 }
 
-impl Channel<'_> {
+impl State {
     /// What the tool table knows of an edge: `$TC_DP3[t,1]`, `$P_AD[6]`, `$P_TOOLL[1]`; lengths in mm.
-    pub(super) fn table_value(&self, word: &str, args: &[Val]) -> Option<f64> {
+    pub(super) fn table_value(&self, settings: &Settings, word: &str, args: &[Val]) -> Option<f64> {
         if word == "$P_TOOLL"
-            && let ToolLength::Known(length) = self.active_length()
+            && let ToolLength::Known(length) = self.active_length(settings)
         {
             return Some(length).filter(|_| matches!(args, [first] if first.number() == Some(1.0)));
         }
-        let (number, parameter) = self.asked_parameter(word, args)?;
-        let tool = self.core.job.settings.tools.called(number)?;
+        let (number, parameter) = self.tool.asked_parameter(word, args)?;
+        let tool = settings.tools.called(number)?;
         let told = |delta: f64| Some(delta).filter(|delta| *delta != 0.0);
         match parameter {
             2 => tool.orientation.map(f64::from),
@@ -45,11 +46,13 @@ impl Channel<'_> {
             _ => None,
         }
     }
+}
 
+impl ToolInUse {
     /// The tool and the parameter of its edge 1 that a name asks for.
     fn asked_parameter(&self, word: &str, args: &[Val]) -> Option<(u32, i32)> {
         let numbers: Vec<i32> = args.iter().map(|arg| arg.number().and_then(whole)).collect::<Option<_>>()?;
-        let active = || self.st.tool.active().filter(|_| self.st.tool.edge_or_first() == 1);
+        let active = || self.active().filter(|_| self.edge_or_first() == 1);
         match (word, numbers.as_slice()) {
             ("$P_AD", [parameter]) => Some((active()?, *parameter)),
             ("$P_TOOLL", [1]) => Some((active()?, 3)),
@@ -57,62 +60,60 @@ impl Channel<'_> {
             _ => None,
         }
     }
+}
 
-    /// Name and existence of a tool, as far as the tool table says.
-    pub(super) fn told_of_tool(&self, word: &str, args: &[Val]) -> Option<Val> {
-        let [number] = args else { return None };
-        let number = u32::try_from(number.number().and_then(whole)?).ok()?;
-        let tools = &self.core.job.settings.tools;
-        match word {
-            "$TC_TP2" => {
-                let named = |(key, tool): (&ToolKey, &Tool)| match key {
-                    ToolKey::Name(name) if tool.number == Some(number) => Some(name.clone()),
-                    _ => None,
-                };
-                let own = tools.by_number(number, 0).and_then(|tool| tool.name.clone());
-                own.or_else(|| tools.table.iter().find_map(named)).map(|name| Val::text(name.as_bytes()))
-            }
-            "$P_TOOLEXIST" if tools.called(number).is_some() => Some(Val::Bool(true)),
-            "$P_TOOLEXIST" if tools.complete => Some(Val::Bool(false)),
-            _ => None,
+/// Name and existence of a tool, as far as the tool table says.
+pub(super) fn told_of_tool(tools: &Tools, word: &str, args: &[Val]) -> Option<Val> {
+    let [number] = args else { return None };
+    let number = u32::try_from(number.number().and_then(whole)?).ok()?;
+    match word {
+        "$TC_TP2" => {
+            let named = |(key, tool): (&ToolKey, &Tool)| match key {
+                ToolKey::Name(name) if tool.number == Some(number) => Some(name.clone()),
+                _ => None,
+            };
+            let own = tools.by_number(number, 0).and_then(|tool| tool.name.clone());
+            own.or_else(|| tools.table.iter().find_map(named)).map(|name| Val::text(name.as_bytes()))
         }
+        "$P_TOOLEXIST" if tools.called(number).is_some() => Some(Val::Bool(true)),
+        "$P_TOOLEXIST" if tools.complete => Some(Val::Bool(false)),
+        _ => None,
     }
+}
 
-    /// How to tell what is asked for: a field of the tool, where one says it.
-    pub(super) fn tool_is_asked(&self, word: &str, args: &[Val], key: &str) -> Option<Help> {
-        let first = || args.first()?.number().and_then(whole).and_then(|number| u32::try_from(number).ok());
-        let (number, field) = match word {
-            "$TC_TP2" => (first()?, "name"),
-            "$P_TOOLR" => (self.st.tool.active().filter(|_| self.st.tool.edge_or_first() == 1)?, "radius"),
-            _ => {
-                let (number, parameter) = self.asked_parameter(word, args)?;
-                let field = match parameter {
-                    2 => "orientation",
-                    3 => "length",
-                    6 => "radius",
-                    7 => "corner_radius",
-                    _ => return None,
-                };
-                (number, field)
-            }
-        };
-        if number == 0 {
-            return None;
+/// How to tell what is asked for: a field of the tool, where one says it.
+pub(super) fn tool_is_asked(tools: &Tools, tool: &ToolInUse, word: &str, args: &[Val], key: &str) -> Option<Help> {
+    let first = || args.first()?.number().and_then(whole).and_then(|number| u32::try_from(number).ok());
+    let (number, field) = match word {
+        "$TC_TP2" => (first()?, "name"),
+        "$P_TOOLR" => (tool.active().filter(|_| tool.edge_or_first() == 1)?, "radius"),
+        _ => {
+            let (number, parameter) = tool.asked_parameter(word, args)?;
+            let field = match parameter {
+                2 => "orientation",
+                3 => "length",
+                6 => "radius",
+                7 => "corner_radius",
+                _ => return None,
+            };
+            (number, field)
         }
-        let tools = &self.core.job.settings.tools;
-        let named = |(key, tool): (&ToolKey, &Tool)| matches!(key, ToolKey::Name(_)) && tool.number == Some(number);
-        let own = ToolKey::Number(number, 0);
-        let entry = if tools.table.contains_key(&own) { None } else { tools.table.iter().find(|entry| named(*entry)) };
-        let name = match entry.map(|(key, _)| key) {
-            Some(ToolKey::Name(name)) => name.clone(),
-            _ => number.to_string(),
-        };
-        let shown = if entry.is_some() { format!("\"{name}\"") } else { name.clone() };
-        let value = match field {
-            "name" => "\"…\"",
-            _ => "…",
-        };
-        let or = if field == "name" { String::new() } else { format!("; or under [variables]: \"{key}\" = value") };
-        Some(Answer::tool(name, field).help(format!("give it: `[tools.{shown}] {field} = {value}`{or}")))
+    };
+    if number == 0 {
+        return None;
     }
+    let named = |(key, named): (&ToolKey, &Tool)| matches!(key, ToolKey::Name(_)) && named.number == Some(number);
+    let own = ToolKey::Number(number, 0);
+    let entry = if tools.table.contains_key(&own) { None } else { tools.table.iter().find(|entry| named(*entry)) };
+    let name = match entry.map(|(key, _)| key) {
+        Some(ToolKey::Name(name)) => name.clone(),
+        _ => number.to_string(),
+    };
+    let shown = if entry.is_some() { format!("\"{name}\"") } else { name.clone() };
+    let value = match field {
+        "name" => "\"…\"",
+        _ => "…",
+    };
+    let or = if field == "name" { String::new() } else { format!("; or under [variables]: \"{key}\" = value") };
+    Some(Answer::tool(name, field).help(format!("give it: `[tools.{shown}] {field} = {value}`{or}")))
 }

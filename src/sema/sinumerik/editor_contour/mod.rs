@@ -20,11 +20,13 @@ use crate::machine::undercut::Undercuts;
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
 use crate::text::Loc;
 
+use crate::sema::common::position::Position;
 use crate::sema::run::Where;
 
 use super::diameter::Diameter;
+use super::state::State;
 use super::tangent::Heading;
-use super::{Channel, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported};
 use compare::compare;
 use difference::Told;
 use generate::{MOST_RECORDS, outline, solve};
@@ -73,6 +75,26 @@ impl Stored {
         };
     }
 
+    /// Something that cannot stand behind the records of a contour that has no end.
+    pub(super) fn must_be_done(open: &mut Option<Box<Stored>>, core: &Core<'_>, position: &mut Position) -> Outcome {
+        open.take_if(|stored| stored.has_elements()).map_or(Ok(()), |stored| stored.has_no_end(core, position))
+    }
+
+    /// The last line never came: without blocks the elements would be left out.
+    fn has_no_end(&self, core: &Core<'_>, position: &mut Position) -> Outcome {
+        if !self.has_elements() {
+            return Ok(());
+        }
+        let what = "the contour definition has no line with its end (`;#End contour definition end`)";
+        if !self.blocks.is_empty() {
+            core.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(self.begin));
+            return Ok(());
+        }
+        position.lose(AxisSet::MAIN);
+        core.report(codes::S9019::contour_has_no_blocks_and_its_records(&what).at(self.begin));
+        Err(Reported)
+    }
+
     fn has_elements(&self) -> bool {
         self.records.iter().any(|record| matches!(record, Record::Line(..) | Record::Arc { .. } | Record::Unknown(_)))
     }
@@ -91,7 +113,8 @@ impl Channel<'_> {
         });
         match record {
             Some(Record::Begin) => {
-                let result = self.stored_without_end();
+                let (core, position) = (&self.core, &mut self.st.position);
+                let result = self.st.stored.take().map_or(Ok(()), |stored| stored.has_no_end(core, position));
                 self.st.stored = Some(Box::new(Stored {
                     start: None,
                     blocks: Vec::new(),
@@ -127,7 +150,7 @@ impl Channel<'_> {
         if self.core.errors() > 0 {
             return Ok(());
         }
-        let written = if stored.start.is_some() { stored.written } else { self.written_now() };
+        let written = if stored.start.is_some() { stored.written } else { self.st.written_now(&self.core) };
         let [first, second, _] = self.st.roles();
         let here = (first.letter() as u8, second.letter() as u8);
         let named = stored.records.iter().find_map(|record| match record {
@@ -160,55 +183,33 @@ impl Channel<'_> {
         }
         Ok(())
     }
+}
 
-    /// A stored contour whose last line never came: without blocks its elements would be left out.
-    fn stored_without_end(&mut self) -> Outcome {
-        let Some(stored) = self.st.stored.take() else { return Ok(()) };
-        if !stored.has_elements() {
-            return Ok(());
-        }
-        let what = "the contour definition has no line with its end (`;#End contour definition end`)";
-        if !stored.blocks.is_empty() {
-            self.core.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(stored.begin));
-            return Ok(());
-        }
-        self.st.position.lose(AxisSet::MAIN);
-        self.core.report(codes::S9019::contour_has_no_blocks_and_its_records(&what).at(stored.begin));
-        Err(Reported)
-    }
-
-    /// Something that cannot stand behind the records of a stored contour that has no end.
-    pub(super) fn stored_must_be_done(&mut self) -> Outcome {
-        if self.st.stored.as_ref().is_some_and(|stored| stored.has_elements()) {
-            return self.stored_without_end();
-        }
-        Ok(())
-    }
-
+impl State {
     /// A block of a stored contour begins.
-    pub(super) fn note_stored_block(&mut self) {
-        let written = self.written_now();
-        if let Some(stored) = self.st.stored.as_mut().filter(|stored| stored.start.is_none()) {
+    pub(super) fn stored_block_begins(&mut self, core: &Core<'_>) {
+        let written = self.written_now(core);
+        if let Some(stored) = self.stored.as_mut().filter(|stored| stored.start.is_none()) {
             stored.written = written;
         }
     }
 
     /// How the numbers of records count here: ordinates as those of blocks.
-    fn written_now(&self) -> Written {
-        let [_, second, _] = self.st.roles();
-        let diameter = self.core.is_diameter_axis(second) && self.st.diameter_mode() != Diameter::Off;
-        Written { diameter, unit: self.st.length_unit() }
+    fn written_now(&self, core: &Core<'_>) -> Written {
+        let [_, second, _] = self.roles();
+        let diameter = core.is_diameter_axis(second) && self.diameter_mode() != Diameter::Off;
+        Written { diameter, unit: self.length_unit() }
     }
 
     /// Notes a move of a stored contour.
-    pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
-        let plane = self.st.plane();
-        let mut all = *self.st.position.at();
+    pub(super) fn note_stored(&mut self, core: &Core<'_>, end: &Pos, path: &Path) {
+        let plane = self.plane();
+        let mut all = *self.position.at();
         all.update(end);
         // Blocks stand in front of the records.
-        let _ = self.stored_must_be_done();
+        let _ = Stored::must_be_done(&mut self.stored, core, &mut self.position);
         let (arc, radius) = match path {
-            Path::Arc(arc, _) => match (Heading::behind(arc, &self.st.position, &all), arc.shape) {
+            Path::Arc(arc, _) => match (Heading::behind(arc, &self.position, &all), arc.shape) {
                 (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
                 (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
                     (Some((center, ccw)), Some(radius))
@@ -218,7 +219,7 @@ impl Channel<'_> {
             },
             _ => (None, None),
         };
-        let Some(stored) = self.st.stored.as_mut() else { return };
+        let Some(stored) = self.stored.as_mut() else { return };
         let programmed = stored.centre.take();
         let arc = arc.map(|(center, ccw)| (programmed.unwrap_or(center), ccw));
         let Some(to) = all.in_plane(plane) else { return };
@@ -233,7 +234,7 @@ impl Channel<'_> {
             stored.rapid = Some(stored.blocks.len());
         }
         stored.blocks.push(ContourBlock { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
-        stored.places.push(self.core.here.origin.loc);
+        stored.places.push(core.here.origin.loc);
     }
 }
 
