@@ -28,7 +28,6 @@ use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
 pub use self::core::Core;
-pub use self::described::Counted;
 pub use self::files::{Wanted, no_root, not_opened, open_cursor, open_program, refused};
 pub use self::level::{Level, Program};
 pub use self::nowhere::Nowhere;

@@ -123,6 +123,15 @@ impl<L: Language> Core<'_, L> {
         Err(Reported)
     }
 
+    /// What was made, or the fault that stands in its place, which is reported.
+    #[inline]
+    pub fn accept<T>(&self, place: impl Into<Where>, made: Result<T, Fault>) -> Outcome<T> {
+        match made {
+            Ok(made) => Ok(made),
+            Err(fault) => self.refuse(place, fault),
+        }
+    }
+
     /// Reports it, and goes on.
     pub fn say(&self, place: impl Into<Where>, fault: Fault) {
         self.report(fault.at(self.loc(place)));
@@ -141,6 +150,13 @@ impl<L: Language> Core<'_, L> {
     /// Reports it once for the whole program: each fact that its text says.
     pub fn say_once(&self, place: impl Into<Where>, fault: Fault) {
         self.report_once(fault.at(self.loc(place)));
+    }
+
+    /// Reports it unless it was said of this place already: the block may run many times.
+    pub fn report_new(&self, found: Diagnostic) {
+        if !self.job.diags.knows(&found) {
+            self.report(found);
+        }
     }
 
     /// Reports it unless the same was said before.

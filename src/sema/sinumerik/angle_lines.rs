@@ -2,21 +2,23 @@
 //!
 //! Source: S 2.10 and 2.11 (docs/sources.md).
 
-use crate::diag::{self, Label, codes};
+use crate::diag::{self, Diagnostic, Label, codes};
 use crate::geo::open::{Coord, Data, Fault, NOT_FIXED, Rules, Start, solve};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{Coords, Corner, Move, Path};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::chain::Angles;
+use crate::sema::common::position::Position;
 use crate::sema::run::Where;
-use crate::text::Span;
+use crate::text::{Loc, Span};
 
 use super::g_groups::GCode;
 use super::offsets::Outer;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Mode, Words};
-use super::{Channel, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported};
 
 /// By how much a line may run backwards: what rounding makes of none, in mm.
 const BACK: f64 = 1e-9;
@@ -86,6 +88,131 @@ impl Pair {
         self.lost = true;
         Some(first.origin)
     }
+
+    /// Refuses the first line for what `found` says of it.
+    fn refuse(&mut self, core: &Core<'_>, position: &mut Position, found: impl FnOnce(Loc) -> Diagnostic) -> Outcome {
+        let Some(first) = self.first.take() else { return Ok(()) };
+        position.lose(AxisSet::MAIN);
+        core.report(found(first.origin.loc));
+        Err(Reported)
+    }
+
+    /// An interpolation that is no line behind the first line.
+    pub fn only_lines(&mut self, core: &Core<'_>, position: &mut Position, span: Span) -> Outcome {
+        self.refuse(core, position, |first| {
+            let found = codes::S2070::second_line_of_pair_is_no_straight().at(core.loc(span));
+            found.also(first, Label::FirstLine).help("program G0 or G1 in both blocks of a pair")
+        })
+    }
+
+    /// Something that cannot stand between the two lines.
+    pub fn must_be_done(&mut self, core: &Core<'_>, position: &mut Position, place: Where) -> Outcome {
+        self.lost |= self.is_open();
+        self.refuse(core, position, |first| {
+            let found = codes::S2070::second_line_of_pair_is_missing().at(first);
+            let found = found.also(core.loc(place), Label::ComesBefore);
+            found.help("write the second line after the first: X… Y… ANG=…")
+        })
+    }
+
+    /// The modal call belongs behind the first line, whose end is not known before the second.
+    pub fn under_no_modal_call(&mut self, core: &Core<'_>, position: &mut Position) -> Outcome {
+        self.lost |= self.is_open();
+        self.refuse(core, position, |first| {
+            let found = codes::S2070::first_line_of_pair_stands_under_mcall().at(first);
+            found.help("program the end of the line, or end the modal call before by MCALL")
+        })
+    }
+
+    /// Holds a function back while the first line waits for its end.
+    pub fn holds(&mut self, function: &Function, origin: Origin) -> bool {
+        let Some(first) = &mut self.first else { return false };
+        first.functions.push((function.clone(), origin));
+        true
+    }
+
+    /// From where increments of the second line count, from the start of the first or from the corner, is not confirmed.
+    fn takes_no_increments(&mut self, core: &Core<'_>, g91: bool, w: &Words, axes: [Axis; 2]) -> Outcome {
+        for given in axes.into_iter().filter_map(|axis| w.axis(axis)) {
+            let incremental = match given.mode {
+                Mode::Plain => g91,
+                mode => matches!(mode, Mode::Ic | Mode::Dic | Mode::Ric),
+            };
+            if incremental {
+                self.first = None;
+                return core.refuse(given.span, codes::S2070::second_line_of_pair_is_programmed());
+            }
+        }
+        Ok(())
+    }
+}
+
+impl State {
+    /// A line without an end waits for the line behind it.
+    fn first_line(
+        &mut self,
+        core: &Core<'_>,
+        angle: Deg,
+        end: Pos,
+        path: Path,
+        corner: Option<&Corner>,
+        span: Span,
+    ) -> Outcome {
+        let plane = self.plane();
+        let [first, second, _] = self.roles();
+        self.pair.lost = true;
+        if self.position.in_plane(plane).is_none() {
+            let axis = if self.position.get(first).is_none() { first } else { second };
+            return self.unknown_axis(core, axis, span);
+        }
+        match self.offsets.outer() {
+            Outer::Machine => {
+                let message = "a contour definition cannot be printed in machine coordinates";
+                return core.in_machine_only_lines(span, message);
+            }
+            Outer::Unrelated => return core.unrelated(span, "G500 stands beside"),
+            Outer::Basic | Outer::Printed(_) => {}
+        }
+        self.pair.lost = false;
+        self.pair.first = Some(Box::new(FirstLine {
+            angle,
+            plane,
+            rest: end,
+            path,
+            side: self.side_of_move(),
+            corner: corner.copied(),
+            origin: core.here.origin,
+            functions: Vec::new(),
+        }));
+        Ok(())
+    }
+
+    /// One end coordinate and the angle.
+    fn one_coordinate(
+        &self,
+        core: &Core<'_>,
+        end: &Pos,
+        angle: Deg,
+        plane: Plane,
+        axes: [Axis; 2],
+        span: Span,
+    ) -> Outcome<Pos> {
+        let Some(start) = self.position.in_plane(plane) else {
+            let axis = if self.position.get(axes[0]).is_none() { axes[0] } else { axes[1] };
+            return self.unknown_axis(core, axis, span);
+        };
+        let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
+        let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
+        let Ok(point) = ended(start, &data, None) else {
+            return core.refuse(span, codes::S2070::end_coordinate_cannot_be_reached());
+        };
+        if (point - start).dot(&angle.unit()) < -BACK {
+            return core.refuse(span, codes::S2070::end_coordinate_lies_behind_start());
+        }
+        let mut made = *end;
+        made.set_in_plane(plane, point);
+        Ok(made)
+    }
 }
 
 impl Channel<'_> {
@@ -109,9 +236,9 @@ impl Channel<'_> {
             return Err(Reported);
         };
         if self.st.pair.first.is_some() {
-            self.pair_without_increments(w, [first, second])?;
+            self.st.pair.takes_no_increments(&self.core, self.st.is(GCode::G91), w, [first, second])?;
         }
-        let end = self.targets(w)?;
+        let end = self.st.targets(&self.core, w)?;
         let angle = Deg(given.value);
         match (named, self.st.pair.first.take()) {
             ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, given.span),
@@ -123,88 +250,13 @@ impl Channel<'_> {
             // The first line was refused.
             ([true, true], None) if lost => Err(Reported),
             ([true, true], None) => self.core.refuse(given.span, codes::S2070::both_end_coordinates()),
-            ([false, false], None) => self.first_line(angle, end, path, corner, given.span),
+            ([false, false], None) => self.st.first_line(&self.core, angle, end, path, corner, given.span),
             _ => {
-                let end = self.one_coordinate(&end, angle, plane, [first, second], given.span)?;
+                let end = self.st.one_coordinate(&self.core, &end, angle, plane, [first, second], given.span)?;
                 self.send(&end, path);
                 Ok(())
             }
         }
-    }
-
-    /// A line without an end waits for the line behind it.
-    fn first_line(&mut self, angle: Deg, end: Pos, path: Path, corner: Option<&Corner>, span: Span) -> Outcome {
-        let plane = self.st.plane();
-        let [first, second, _] = self.st.roles();
-        self.st.pair.lost = true;
-        if self.st.position.in_plane(plane).is_none() {
-            let axis = if self.st.position.get(first).is_none() { first } else { second };
-            return self.unknown_axis(axis, span);
-        }
-        match self.st.offsets.outer() {
-            Outer::Machine => {
-                let message = "a contour definition cannot be printed in machine coordinates";
-                return self.core.in_machine_only_lines(span, message);
-            }
-            Outer::Unrelated => return self.core.unrelated(span, "G500 stands beside"),
-            Outer::Basic | Outer::Printed(_) => {}
-        }
-        self.st.pair.lost = false;
-        self.st.pair.first = Some(Box::new(FirstLine {
-            angle,
-            plane,
-            rest: end,
-            path,
-            side: self.st.side_of_move(),
-            corner: corner.copied(),
-            origin: self.core.here.origin,
-            functions: Vec::new(),
-        }));
-        Ok(())
-    }
-
-    /// From where increments of the second line count, from the start of the first or from the corner, is not confirmed.
-    fn pair_without_increments(&mut self, w: &Words, axes: [Axis; 2]) -> Outcome {
-        for given in axes.into_iter().filter_map(|axis| w.axis(axis)) {
-            let incremental = match given.mode {
-                Mode::Plain => self.st.is(GCode::G91),
-                mode => matches!(mode, Mode::Ic | Mode::Dic | Mode::Ric),
-            };
-            if incremental {
-                self.st.pair.first = None;
-                return self.core.refuse(given.span, codes::S2070::second_line_of_pair_is_programmed());
-            }
-        }
-        Ok(())
-    }
-
-    /// An interpolation that is no line behind the first line of a pair.
-    pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
-        let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
-        self.st.position.lose(AxisSet::MAIN);
-        let found = codes::S2070::second_line_of_pair_is_no_straight().at(self.core.loc(span));
-        self.core
-            .report(found.also(pending.origin.loc, Label::FirstLine).help("program G0 or G1 in both blocks of a pair"));
-        Err(Reported)
-    }
-
-    /// One end coordinate and the angle.
-    fn one_coordinate(&mut self, end: &Pos, angle: Deg, plane: Plane, axes: [Axis; 2], span: Span) -> Outcome<Pos> {
-        let Some(start) = self.st.position.in_plane(plane) else {
-            let axis = if self.st.position.get(axes[0]).is_none() { axes[0] } else { axes[1] };
-            return self.unknown_axis(axis, span);
-        };
-        let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
-        let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
-        let Ok(point) = ended(start, &data, None) else {
-            return self.core.refuse(span, codes::S2070::end_coordinate_cannot_be_reached());
-        };
-        if (point - start).dot(&angle.unit()) < -BACK {
-            return self.core.refuse(span, codes::S2070::end_coordinate_lies_behind_start());
-        }
-        let mut made = *end;
-        made.set_in_plane(plane, point);
-        Ok(made)
     }
 
     fn second_line(&mut self, pending: Box<FirstLine>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
@@ -242,48 +294,5 @@ impl Channel<'_> {
         }
         self.send(end, path);
         Ok(())
-    }
-
-    /// Something that cannot stand between the two lines of a pair, or behind an approach without its contour.
-    pub(super) fn pending_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
-        self.soft_must_be_done()?;
-        self.pair_must_be_done(place)
-    }
-
-    /// The same for what cannot stand between the two lines of a pair.
-    pub(super) fn pair_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
-        self.stored_must_be_done()?;
-        let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
-        self.st.pair.lost = true;
-        let found = codes::S2070::second_line_of_pair_is_missing().at(pending.origin.loc);
-        self.core.report(
-            found
-                .also(self.core.loc(place), Label::ComesBefore)
-                .help("write the second line after the first: X… Y… ANG=…"),
-        );
-        self.st.position.lose(AxisSet::MAIN);
-        Err(Reported)
-    }
-
-    /// The modal call belongs behind the first line of a pair, whose end is not known before the second.
-    pub(super) fn no_pair_under_a_modal_call(&mut self) -> Outcome {
-        let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
-        self.st.pair.lost = true;
-        self.st.position.lose(AxisSet::MAIN);
-        let found = codes::S2070::first_line_of_pair_stands_under_mcall().at(pending.origin.loc);
-        self.core.report(found.help("program the end of the line, or end the modal call before by MCALL"));
-        Err(Reported)
-    }
-
-    /// Holds a function back while the first line of a pair waits for its end.
-    pub(super) fn held_back(&mut self, function: &Function) -> bool {
-        let origin = self.core.here.origin;
-        match &mut self.st.pair.first {
-            Some(pending) => {
-                pending.functions.push((function.clone(), origin));
-                true
-            }
-            None => false,
-        }
     }
 }

@@ -12,7 +12,7 @@ use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisUse, LONGEST_AXIS_NAME, Settings};
 use crate::text::Span;
 
-use super::{Channel, Outcome};
+use super::{Core, Outcome};
 
 /// An axis by the name that the program gives it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -118,27 +118,25 @@ impl AxisNames {
         let other = || self.others.iter().find(|named| named.axis == Some(axis)).copied();
         self.used[axis.index()].or_else(other).unwrap_or_else(|| NamedAxis::letter(axis))
     }
-}
 
-impl Channel<'_> {
     /// The printed axis that a name stands for; `None` for one that is left out, which is noted.
     #[inline]
-    pub(super) fn printed_axis(&mut self, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
-        if self.axis_names.given { self.given_axis(named, span) } else { Ok(named.axis) }
+    pub fn printed(&mut self, core: &Core<'_>, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
+        if self.given { self.given_axis(core, named, span) } else { Ok(named.axis) }
     }
 
-    fn given_axis(&mut self, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
+    fn given_axis(&mut self, core: &Core<'_>, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
         let Some(axis) = named.axis else {
-            if self.axis_names.noted.insert(named) {
-                self.core.report(codes::S8130::axis_is_left_out(&named.text()).at(self.core.loc(span)));
+            if self.noted.insert(named) {
+                core.report(codes::S8130::axis_is_left_out(&named.text()).at(core.loc(span)));
             }
             return Ok(None);
         };
-        let first = *self.axis_names.used[axis.index()].get_or_insert(named);
+        let first = *self.used[axis.index()].get_or_insert(named);
         if first == named {
             return Ok(Some(axis));
         }
-        self.core.refuse(
+        core.refuse(
             span,
             codes::S2130::would_both_be_printed(&first.text(), &named.text(), &axis.letter()).answer(
                 Answer::entry("machine", "axes", named.text()).one_of(&[

@@ -1,18 +1,22 @@
-//! Blocks of words: modal codes, then technology, then the motion, then what acts behind it.
+//! Blocks of words: modal codes, then technology, then the motion.
 //!
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::ir::contour::Path;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::corners::corner_of;
+use super::g_functions::Whole;
 use super::g_groups::{GCode, Group};
+use super::names::Names;
+use super::state::State;
 use super::vocabulary::{Address, Meaning};
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
 /// Addresses that shape an arc.
 pub(super) const ARC_ADDRESSES: [Address; 9] = [
@@ -27,46 +31,83 @@ pub(super) const ARC_ADDRESSES: [Address; 9] = [
     Address::Turn,
 ];
 
-impl Run<'_> {
-    pub(super) fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let mut words = self.words.take().unwrap_or_else(|| Box::new(Words::new()));
-        words.clear();
-        let result = self.sort_words(&mut words, block, text).and_then(|()| {
-            if words.is_empty() {
-                return Ok(());
-            }
-            if words.calls.word.is_some() || words.calls.number.is_some() {
-                return self.call_block(&mut words, block, text);
-            }
-            self.begins_executing();
-            self.run_words_of(&mut words, block)
-        });
-        if result.is_err() {
-            self.lose_block(&words, block);
+/// What is to be done behind the words of a block: M functions, and what runs modally.
+pub(super) struct Behind {
+    /// Axes moved along a path.
+    pub moved: bool,
+    /// A control may run what is modal behind it, though no axis is named.
+    pub triggers: bool,
+}
+
+impl Channel<'_> {
+    /// Carries out the words of a block that holds no call; `None` where nothing acts behind it.
+    pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<Behind>> {
+        let motion = self.st.codes.of(Group::Motion);
+        if self.st.taps.are_open() && self.st.taps.end_before(w, motion) {
+            self.tapping_ends();
         }
-        self.words = Some(words);
-        result
+        self.st.threads.go_on_beside(&self.core, w);
+        if let Some(capture) = &mut self.capture {
+            capture.words(&self.core, w)?;
+        }
+        let triggers = self.st.modal_call.cycle().is_some()
+            && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
+        if let Some(probe) = w.probe
+            && let Some((_, span)) =
+                [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
+        {
+            return probe.stands_beside(&self.core, span).map(|()| None);
+        }
+        match self.codes_of_block(w)? {
+            Whole::No => {}
+            Whole::Done => return Ok(None),
+            Whole::Nonmodal { moved } => return Ok(Some(Behind { moved, triggers: false })),
+        }
+        let motion = self.st.codes.of(Group::Motion);
+        if motion.is_tapping() && !w.axes.is_empty() {
+            let st = &mut self.st;
+            st.taps.take_only(&self.core, &st.spindles, motion, w)?;
+            if !st.describes {
+                st.taps.begin(st.spindles.fixed_turns(None));
+            }
+        }
+        self.technology(w)?;
+        self.early_functions(w)?;
+        let corner_before = self.st.corners.open.site();
+        let moved = self.probed_motion(w, block)?;
+        if moved && self.st.corners.open.site() == corner_before {
+            self.st.corners.open.close();
+        }
+        self.st.corners.pass_block(&self.core, moved)?;
+        if let Err((span, fault)) = w.leftover() {
+            return self.core.refuse(span, fault);
+        }
+        if self.st.modal_call.is_on() {
+            w.moves_what_is_left_out(&self.core)?;
+        }
+        Ok(Some(Behind { moved, triggers }))
     }
 
     /// After an error nobody knows where the axes of the block are.
-    fn lose_block(&mut self, words: &Words, block: &Block) {
-        let of_tap = self.channel.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
-        self.channel.st.taps.block_is_refused(of_tap);
+    pub(super) fn lose_block(&mut self, names: &mut Names, words: &Words, block: &Block) {
+        let of_tap = self.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
+        self.st.taps.block_is_refused(of_tap);
         let mut axes = words.axes;
         for word in &block.words {
-            match word.target {
-                Target::Letter(letter) => {
-                    if let Some(axis) = self.channel.axis_names.letter(letter).and_then(|named| named.axis) {
-                        axes.insert(axis);
-                    }
+            let named = match word.target {
+                Target::Letter(letter) => self.axis_names.letter(letter),
+                Target::Numbered(_, _, name) | Target::Name(name) => match names.meaning(name, self) {
+                    Meaning::Axis(named) => Some(named),
+                    _ => None,
+                },
+                Target::Indexed(..) => {
+                    axes = axes.union(AxisSet::MAIN);
+                    None
                 }
-                Target::Numbered(_, _, name) | Target::Name(name) => {
-                    if let Meaning::Axis(NamedAxis { axis: Some(axis), .. }) = self.meaning(name) {
-                        axes.insert(axis);
-                    }
-                }
-                Target::Indexed(..) => axes = axes.union(AxisSet::MAIN),
-                _ => {}
+                Target::System(_) => None,
+            };
+            if let Some(NamedAxis { axis: Some(axis), .. }) = named {
+                axes.insert(axis);
             }
         }
         let more = [Address::Ap, Address::Rp, Address::Ang, Address::Ar, Address::F];
@@ -74,92 +115,24 @@ impl Run<'_> {
             axes = axes.union(AxisSet::MAIN);
         }
         if words.get(Address::F).is_some() {
-            self.channel.st.feed.lose();
+            self.st.feed.lose();
         }
         if words.get(Address::Ang).is_some() {
-            self.channel.st.pair.lose();
+            self.st.pair.lose();
         }
         if !axes.is_empty() {
-            self.channel.st.position.lose(axes);
-            self.channel.st.pair.drop_first();
-            self.channel.lost();
+            self.st.position.lose(axes);
+            self.st.pair.drop_first();
+            self.lost();
         }
     }
 
-    /// The words of a block that holds no call.
-    pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.channel.st.taps.are_open() {
-            self.channel.beside_taps(w);
-        }
-        if self.channel.st.threads.are_open() {
-            self.channel.beside_threads(w);
-        }
-        if self.channel.is_capturing() {
-            self.channel.words_in_contour(w)?;
-        }
-        let triggers = self.channel.st.modal_call.cycle().is_some()
-            && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
-        if let Some(probe) = w.probe
-            && let Some((_, span)) =
-                [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
-        {
-            return self.channel.measures_beside(probe, span);
-        }
-        if self.codes_of_block(w)? {
-            return Ok(());
-        }
-        if self.channel.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
-            self.channel.only_tapping(w)?;
-            self.channel.tap_begins();
-        }
-        self.channel.technology(w)?;
-        self.channel.early_functions(w)?;
-        let corner_before = self.channel.st.corners.open.site();
-        let moved = self.channel.probed_motion(w, block)?;
-        if moved && self.channel.st.corners.open.site() == corner_before {
-            self.channel.st.corners.open.close();
-        }
-        self.channel.block_behind_corner(moved)?;
-        self.channel.core.all_words_fit(w)?;
-        self.channel.left_out_under_modal_call(w)?;
-        self.late_functions(w)?;
-        if moved && !self.channel.core.has_ended() {
-            self.call_modal()?;
-        } else if triggers && !moved {
-            self.channel.core.warn_of_trigger(block.span);
-        }
-        Ok(())
-    }
-
-    /// The codes of a block; true if one of them is the whole block.
-    fn codes_of_block(&mut self, w: &mut Words) -> Outcome<bool> {
-        if w.codes.is_empty() && w.diameter.is_none() && w.dynamics.is_none() && !w.smoothing.is_given() {
-            return Ok(false);
-        }
-        self.channel.core.check_codes(w)?;
-        if let Some((code, span)) = w.code_of(Group::Nonmodal) {
-            self.channel.modal_codes(w)?;
-            return self.nonmodal_block(code, span, w).map(|()| true);
-        }
-        if let Some((code, span)) = w.code_of(Group::Frame) {
-            self.channel.modal_codes(w)?;
-            return self.channel.frame_block(code, span, w).map(|()| true);
-        }
-        self.channel.modal_codes(w)?;
-        if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
-            return self.channel.buffer_code(code, span, w).map(|()| true);
-        }
-        Ok(false)
-    }
-}
-
-impl Channel<'_> {
     // Motion.
 
     /// The motion of the block. True if axes moved along a path.
     fn motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         let interpolation = self.st.codes.of(Group::Motion);
-        self.modal_contour_words(w)?;
+        self.st.modal_contour_words(&self.core, w)?;
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
         let round = matches!(interpolation, GCode::G2 | GCode::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
@@ -181,7 +154,7 @@ impl Channel<'_> {
             }
         }
         if !moves {
-            return self.without_path(w, block.span);
+            return without_path(&self.core, w, block.span);
         }
         if interpolation != GCode::G33 {
             self.st.threads.end_chain();
@@ -189,26 +162,15 @@ impl Channel<'_> {
         if matches!(interpolation, GCode::G33 | GCode::G331 | GCode::G332)
             && let Some(polar) = w.get(Address::Ap).or(w.get(Address::Rp))
         {
-            return self.core.does_not_fit_motion(w, polar.span);
+            return self.core.refuse(polar.span, w.misfit_of_motion());
         }
         if let Some((_, span)) = w.code_of(Group::Suppression).filter(|(code, _)| *code != GCode::SUPD) {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
-            self.suppressed_tool(w, span)?;
+            self.st.suppressed_tool(&self.core, w, span)?;
         }
         self.path_block(w, interpolation, polar, block.span).map(|()| true)
-    }
-
-    /// A block of words that names no place to go to.
-    fn without_path(&self, w: &Words, span: Span) -> Outcome<bool> {
-        if self.core.has_corner_words(w) {
-            return self.core.no_corner(span);
-        }
-        if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
-            self.core.control_words_are_left_out(span);
-        }
-        Ok(false)
     }
 
     /// Checks the path of a block, sends it, and the corner behind it.
@@ -217,14 +179,17 @@ impl Channel<'_> {
             let [first, second, _] = self.st.roles();
             w.axes.contains(first) || w.axes.contains(second)
         };
-        self.check_offsets(w)?;
-        self.check_start_of_compensation(interpolation, in_plane, span)?;
-        if interpolation == GCode::G33 {
-            self.no_corner_at_thread(w, span)?;
+        // A contour is a shape: no tool follows it.
+        if self.capture.is_none() {
+            check_offsets(&self.core, &self.st, w)?;
         }
-        let corner = self.corner_words(w)?;
+        self.st.compensation.moves(&self.core, self.st.side(), interpolation, in_plane, span)?;
+        if interpolation == GCode::G33 {
+            self.st.corners.none_at_thread(&self.core, w, span)?;
+        }
+        let corner = corner_of(&self.core, &self.st, w)?;
         if !matches!(interpolation, GCode::G0 | GCode::G1) {
-            self.only_lines_in_a_pair(span)?;
+            self.st.pair.only_lines(&self.core, &mut self.st.position, span)?;
         }
         match interpolation {
             GCode::G0 | GCode::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
@@ -233,7 +198,7 @@ impl Channel<'_> {
             GCode::CT => self.tangent_block(w)?,
             GCode::G33 => self.thread_block(w, span)?,
             GCode::G331 | GCode::G332 => return self.tap_block(w, interpolation, span),
-            _ => return self.core.check_interpolation(interpolation, span).and(Err(Reported)),
+            _ => return self.core.accept(span, interpolation.can_be_printed()).and(Err(Reported)),
         }
         // The first line of a pair sends its corner when its end is known.
         if !self.st.pair.is_open() {
@@ -245,28 +210,14 @@ impl Channel<'_> {
     /// The motion of the block, as far as the probe lets it be printed.
     fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         match w.probe {
-            Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false),
+            Some(probe) if !probe.whole_way && !self.core.never_touches() => self.probe_block(w, probe).map(|()| false),
             Some(probe) => {
                 self.may_leave_probe_out(probe)?;
                 let moved = self.motion(w, block)?;
-                Ok(self.measured_on_the_way(probe, moved))
+                self.measured.on_the_way(&self.core, &mut self.st.system, probe, moved);
+                Ok(moved)
             }
             None => self.motion(w, block),
-        }
-    }
-
-    /// Under D0 the control counts from the spindle nose, which the target cannot say.
-    fn check_offsets(&self, w: &Words) -> Outcome {
-        // A contour is a shape: no tool follows it.
-        let off = !self.is_capturing() && self.st.tool.is_without_offset();
-        if !off || self.st.offsets.in_machine() {
-            return Ok(());
-        }
-        let [_, _, third] = self.st.roles();
-        let lengths = if self.st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
-        match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
-            Some(given) => self.core.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
-            None => Ok(()),
         }
     }
 
@@ -281,50 +232,41 @@ impl Channel<'_> {
         if w.get(Address::Ang).is_some() || self.st.pair.is_open() {
             return self.angle_block(w, path, corner);
         }
-        let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
+        let end = if polar { self.st.polar_end(&mut self.core, w)? } else { self.st.targets(&self.core, w)? };
         self.send(&end, path);
         Ok(())
     }
 }
 
-impl Core<'_> {
-    /// A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
-    fn warn_of_trigger(&self, span: Span) {
-        if self.job.diags.first_time(codes::S8033, ()) {
-            let found = codes::S8033::under_mcall_of_drilling_cycle_this_block().at(self.loc(span));
-            self.report(found.help("put it before MCALL: some controls drill after it once more"));
-        }
+/// A block of words that names no place to go to.
+fn without_path(core: &Core<'_>, w: &Words, span: Span) -> Outcome<bool> {
+    if w.shapes_corner() {
+        return core.no_corner(span);
     }
-
-    pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {
-        self.does_not_fit_code(span, 12110)
+    if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
+        core.say_once(span, codes::S8103::words_that_only_steer_control());
     }
+    Ok(false)
+}
 
-    /// The control tells a code that is written from one that holds on.
-    fn does_not_fit_motion<T>(&self, w: &Words, span: Span) -> Outcome<T> {
-        self.does_not_fit_code(span, if w.code_of(Group::Motion).is_some() { 12110 } else { 15460 })
+/// Under D0 the control counts from the spindle nose, which the target cannot say.
+fn check_offsets(core: &Core<'_>, st: &State, w: &Words) -> Outcome {
+    let off = st.tool.is_without_offset();
+    if !off || st.offsets.in_machine() {
+        return Ok(());
     }
-
-    fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
-        self.refuse(span, codes::P1003::word_does_not_fit_other_words().alarm(alarm))
+    let [_, _, third] = st.roles();
+    let lengths = if st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
+    match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
+        Some(given) => core.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
+        None => Ok(()),
     }
+}
 
-    /// What no part of the block has taken belongs to another block.
-    fn all_words_fit(&self, w: &Words) -> Outcome {
-        if let Some(left) = w.left() {
-            return self.does_not_fit_motion(w, left.span);
-        }
-        if let Some(axis) = w.beside.machine.first() {
-            return self.unnamed_axis(*axis);
-        }
-        if let Some(passes) = w.calls.passes {
-            return self.does_not_fit(passes.span);
-        }
-        Ok(())
-    }
-
-    pub(super) fn check_interpolation(&self, code: GCode, span: Span) -> Outcome {
-        let what = match code {
+impl GCode {
+    /// May plain G code say the interpolation?
+    pub(super) fn can_be_printed(self) -> Result<(), Fault> {
+        let what = match self {
             GCode::G0 | GCode::G1 | GCode::G2 | GCode::G3 | GCode::CIP | GCode::CT => return Ok(()),
             GCode::G33 | GCode::G331 | GCode::G332 => return Ok(()),
             GCode::G34 | GCode::G35 => "a thread of changing lead",
@@ -333,6 +275,6 @@ impl Core<'_> {
             GCode::G335 | GCode::G336 => "a thread on an arc",
             _ => "an interpolation of the machine builder",
         };
-        self.refuse(span, codes::S9002::is_which_plain_g_code_cannot_say(&code.word(), &what))
+        Err(codes::S9002::is_which_plain_g_code_cannot_say(&self.word(), &what))
     }
 }

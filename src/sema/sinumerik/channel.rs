@@ -5,20 +5,22 @@
 
 use crate::ir::Function;
 use crate::ir::contour::Sink;
-use crate::machine::Proposed;
+use crate::machine::{AxisSet, Proposed};
 use crate::sema::Job;
-use crate::text::Loc;
+use crate::sema::run::Where;
+use crate::sema::run::place::move_beside;
 
-use super::Core;
 use super::axis_names::AxisNames;
 use super::beside_path::CurveTable;
 use super::capture::Capture;
+use super::editor_contour::Stored;
 use super::lane::Lane;
-use super::lost_change::LeftOut;
-use super::probe_state::Measured;
+use super::left_behind::LeftBehind;
+use super::probe_state::{Measured, Touched};
 use super::soft_approach::Soft;
 use super::state::State;
 use super::synchronized::SetBeside;
+use super::{Core, Outcome, Reported};
 
 /// Modal state, and the machine that it is carried out on.
 pub(super) struct Channel<'a> {
@@ -35,14 +37,8 @@ pub(super) struct Channel<'a> {
     pub iso: bool,
     /// Straight blocks that may take the lane.
     pub lane: Lane,
-    /// What a call that is left out may have changed in.
-    pub change_left_out: Option<Box<LeftOut>>,
-    /// A call that stands for a program of the machine, until a G code of the path follows: its name and place.
-    pub motion_left: Option<Box<(String, Loc)>>,
-    /// The last call that stands for a program of the machine.
-    pub call_left: Option<Box<(String, Loc)>>,
-    /// The call that leaves a speed that is not known, until S is programmed.
-    pub speed_lost: Option<Box<(String, Loc)>>,
+    /// What calls that are left out leave behind.
+    pub left: LeftBehind,
     /// Values that synchronized actions set, which are left out.
     pub set_beside: SetBeside,
     /// The curve table that is described now.
@@ -62,10 +58,7 @@ impl<'a> Channel<'a> {
             soft: None,
             iso: false,
             lane: Lane::Closed,
-            change_left_out: None,
-            motion_left: None,
-            call_left: None,
-            speed_lost: None,
+            left: LeftBehind::default(),
             set_beside: SetBeside::default(),
             curve_table: None,
             measured: Measured::default(),
@@ -80,20 +73,59 @@ impl Channel<'_> {
         }
     }
 
-    pub(super) fn function(&mut self, function: Function) {
-        if self.capture.is_some() && self.function_in_contour(&function) {
+    /// A function, if there is one.
+    pub(super) fn function(&mut self, function: impl Into<Option<Function>>) {
+        let Some(function) = function.into() else { return };
+        if let Some(capture) = &mut self.capture {
+            return capture.function(&self.core, &function);
+        }
+        if self.st.compensation.is_leaving() && self.st.compensation.leaves_before(&self.core, &function).is_err() {
             return;
         }
-        if self.st.compensation.is_leaving() && self.leaves_in_front_of(&function).is_err() {
-            return;
+        let origin = self.core.here.origin;
+        if let Some(soft) = &mut self.soft {
+            if soft.holds(&function, origin) {
+                return;
+            }
+            let _: Outcome = self.soft_must_be_done();
         }
-        if self.soft.is_some() && self.held_by_approach(&function) {
-            return;
-        }
-        if self.st.pair.is_open() && self.held_back(&function) {
+        if self.st.pair.holds(&function, origin) {
             return;
         }
         self.core.send_function(&function, &self.st.ctx);
+    }
+
+    /// Something that cannot stand between the two lines of a pair, or behind an approach without its contour.
+    pub(super) fn pending_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
+        self.soft_must_be_done()?;
+        self.pair_must_be_done(place)
+    }
+
+    /// The same for an approach.
+    pub(super) fn soft_must_be_done(&mut self) -> Outcome {
+        let Some(soft) = self.soft.take() else { return Ok(()) };
+        soft.report_open(&self.core);
+        self.lose_all();
+        Err(Reported)
+    }
+
+    /// The same for a pair, and for records of a contour without an end.
+    pub(super) fn pair_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
+        let st = &mut self.st;
+        Stored::must_be_done(&mut st.stored, &self.core, &mut st.position)?;
+        st.pair.must_be_done(&self.core, &mut st.position, place.into())
+    }
+
+    /// A move to these axes, before it: those that stand where a call or a probe left them have to be named.
+    pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
+        let (st, here) = (&mut self.st, self.core.here.origin.loc);
+        let left = if self.capture.is_some() { AxisSet::EMPTY } else { st.position.left_by_calls() };
+        let beside = move_beside(&st.position, left, axes, &st.ctx.frame, here);
+        let touched = || Touched::moves(&mut st.touched, axes, rapid, &st.ctx.frame, here);
+        let Some(found) = beside.or_else(touched) else { return Ok(()) };
+        self.core.report(found);
+        self.lose_all();
+        Err(Reported)
     }
 
     /// Nobody knows where the tool is.
@@ -106,7 +138,7 @@ impl Channel<'_> {
         self.lost();
         // Behind a transformation the output has other axes than the program: none of them is known better.
         if self.st.transformation.is_some() {
-            self.st.position.forget(crate::machine::AxisSet::ALL);
+            self.st.position.forget(AxisSet::ALL);
         }
         let known = *self.st.position.at();
         self.core.stands_at(&known, &self.st.ctx);
@@ -114,7 +146,7 @@ impl Channel<'_> {
 
     /// Nothing is known behind this block; what only suffers from it is not worth another error.
     pub(super) fn lose_all(&mut self) {
-        self.st.position.lose(crate::machine::AxisSet::ALL);
+        self.st.position.lose(AxisSet::ALL);
         self.st.pair.drop_first();
         self.lost();
     }

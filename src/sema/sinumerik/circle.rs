@@ -12,8 +12,10 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::axis_order::order_of_axes_fits;
 use super::diameter::Diameter;
 use super::g_groups::GCode;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Channel, Core, Outcome};
@@ -30,53 +32,29 @@ pub(super) const CENTER: [Address; 3] = [Address::I, Address::J, Address::K];
 const VIA: [Address; 3] = [Address::I1, Address::J1, Address::K1];
 
 impl Channel<'_> {
-    /// Interpolation parameters with the geometry axes they belong to (MD 20050).
-    fn parameters(&self, names: [Address; 3]) -> [(Address, Axis); 3] {
-        let axes = self.st.machine.geometry_axes;
-        [(names[0], axes[0]), (names[1], axes[1]), (names[2], axes[2])]
-    }
-
-    /// The plane of a circle: the working plane, or the one of two axes that are not both in it.
-    fn circle_plane(&self, w: &Words, names: &[(Address, Axis); 3]) -> Plane {
-        let plane = self.st.plane();
-        let mut geometry = w.axes.common(AxisSet::MAIN).iter();
-        let (Some(a), Some(b), None) = (geometry.next(), geometry.next(), geometry.next()) else { return plane };
-        let has = |plane: Plane, axis: Axis| {
-            let (first, second, _) = plane.axes();
-            axis.index() == first || axis.index() == second
-        };
-        if has(plane, a) && has(plane, b) {
-            return plane;
-        }
-        let other = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(|p| has(*p, a) && has(*p, b));
-        let Some(other) = other else { return plane };
-        // Parameters of the working plane mean a helix whose one end coordinate stays.
-        let fits = names.iter().all(|(address, axis)| w.get(*address).is_none() || has(other, *axis));
-        let helix = w.get(Address::Turn).is_some();
-        if fits && !helix && w.get(Address::Ar).is_none() { other } else { plane }
-    }
-
     pub(super) fn circle_block(&mut self, w: &mut Words, ccw: bool, polar: bool) -> Outcome {
         if polar {
             return self.polar_circle(w, ccw);
         }
-        let plane = self.circle_plane(w, &self.parameters(CENTER));
+        let plane = circle_plane(self.st.plane(), w, &self.st.machine.parameters(CENTER));
         let feed = self.cutting_feed(w)?;
-        let turns = self.core.turns(w)?;
-        let mut end = self.targets(w)?;
-        self.order_of_axes_fits(w, plane, &end)?;
-        let start = self.start_in(plane, w)?;
-        let named = self.core.plane_axes_named(w, plane);
-        let to = self.core.end_in(&end, plane, start);
-        let span = self.core.arc_span(w);
-        let center = self.center(w, plane, start)?;
+        let turns = w.turns(&self.core)?;
+        let mut end = self.st.targets(&self.core, w)?;
+        order_of_axes_fits(&self.core, &self.st, w, plane, &end)?;
+        let start = self.st.start_in(&self.core, plane, w)?;
+        let named = names_plane(w, plane);
+        let to = end_in(&end, plane, start);
+        let span = w.arc_span();
+        let center = self.st.point_of(&self.core, w, &self.st.machine.parameters(CENTER), plane, start, false)?;
         let shape = match (w.take(Address::Cr), w.take(Address::Ar), center) {
             (Some(cr), None, None) if !named => {
                 return self.core.refuse(cr.span, codes::P3002::arc_by_cr_needs_end_point());
             }
-            (Some(cr), None, None) => self.arc_by_radius(cr, crate::geo::distance(start, to), ccw)?,
+            (Some(cr), None, None) => {
+                arc_by_radius(&self.core, self.st.length_unit(), cr, crate::geo::distance(start, to), ccw)?
+            }
             (None, Some(ar), center) => {
-                let sweep = self.core.opening(ar, ccw)?;
+                let sweep = opening(&self.core, ar, ccw)?;
                 match center {
                     Some(_) if named => {
                         return self.core.refuse(ar.span, codes::S3002::ar_stands_beside_both_centre());
@@ -111,90 +89,16 @@ impl Channel<'_> {
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
     }
 
-    /// CR: a radius, below 0 for the longer way around.
-    fn arc_by_radius(&self, cr: Given, chord: f64, ccw: bool) -> Outcome<ArcShape> {
-        let radius = cr.value * self.st.length_unit();
-        if chord <= SAME {
-            return self.core.refuse(cr.span, codes::P3002::arc_by_cr_ends_where_it_starts());
-        }
-        let tol = self.core.circle_tolerance(radius);
-        if radius == 0.0 || chord > 2.0 * radius.abs() + tol {
-            let needed = chord / 2.0 / self.st.length_unit();
-            let fault = codes::S3001::points_are_mm_apart(&chord, &cr.value, &(2.0 * radius.abs()), &needed);
-            return self.core.refuse(cr.span, fault);
-        }
-        Ok(ArcShape::Radius { radius, ccw, tol })
-    }
-
     pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Feed, place: impl Into<Where>) -> Outcome {
         let place = place.into();
         if let Some(third) =
             AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.position.get(*axis).is_none())
         {
-            return self.unknown_axis(third, place);
+            return self.st.unknown_axis(&self.core, third, place);
         }
         self.pair_must_be_done(place)?;
         self.send(end, Path::Arc(arc, feed));
         Ok(())
-    }
-
-    /// Where the arc starts.
-    pub(super) fn start_in(&mut self, plane: Plane, w: &Words) -> Outcome<Point2> {
-        if let Some(start) = self.st.position.in_plane(plane) {
-            return Ok(start);
-        }
-        let (first, second, _) = plane.axes();
-        let missing =
-            [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.st.position.get(*axis).is_none());
-        let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
-        self.unknown_axis(missing.unwrap_or(Axis::X), span)
-    }
-
-    /// The centre from I, J, K; `None` if none of them is given.
-    fn center(&mut self, w: &mut Words, plane: Plane, start: Point2) -> Outcome<Option<Point2>> {
-        self.point_of(w, &self.parameters(CENTER), plane, start, false)
-    }
-
-    fn point_of(
-        &mut self,
-        w: &mut Words,
-        names: &[(Address, Axis); 3],
-        plane: Plane,
-        start: Point2,
-        follows_g90: bool,
-    ) -> Outcome<Option<Point2>> {
-        let (first, second, _) = plane.axes();
-        let mut point = start;
-        let mut any = false;
-        for (address, axis) in names {
-            let Some(given) = w.get(*address) else { continue };
-            let place = match axis.index() {
-                i if i == first => &mut point.x,
-                i if i == second => &mut point.y,
-                _ => {
-                    return self.core.refuse(given.span, codes::P1003::this_word_counts_along(&axis.letter()));
-                }
-            };
-            w.take(*address);
-            any = true;
-            let absolute = match given.mode {
-                Mode::Plain => follows_g90 && !self.st.is(GCode::G91),
-                Mode::Ac => true,
-                Mode::Ic => false,
-                _ => {
-                    return self.core.refuse(given.span, codes::P1003::only_ac_ic());
-                }
-            };
-            if absolute {
-                *place = self.length(*axis, Given { mode: Mode::Ac, ..given }, false)?;
-            } else if follows_g90 {
-                *place += self.length(*axis, Given { mode: Mode::Ic, ..given }, true)?;
-            } else {
-                // The way to a centre is a radius whatever DIAMON says.
-                *place += given.value * self.st.length_unit();
-            }
-        }
-        Ok(any.then_some(point))
     }
 
     /// G2 or G3 with AP and RP: the pole is the centre.
@@ -206,82 +110,35 @@ impl Channel<'_> {
         }
         let plane = self.st.plane();
         let feed = self.cutting_feed(w)?;
-        let turns = self.core.turns(w)?;
-        self.start_in(plane, w)?;
+        let turns = w.turns(&self.core)?;
+        self.st.start_in(&self.core, plane, w)?;
         let span = w.get(Address::Ap).or(w.get(Address::Rp)).map(|given| given.span).unwrap_or_default();
-        let end = self.polar_end(w)?;
+        let end = self.st.polar_end(&mut self.core, w)?;
         let center = self.st.polar.pole();
         let radius = self.st.polar.radius().unwrap_or(0.0);
         let shape = ArcShape::Center { center, ccw, tol: self.core.circle_tolerance(radius) };
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
     }
 
-    /// The plane of a circle through a point: the one in which all that is given lies.
-    fn via_plane(&mut self, w: &Words) -> Outcome<Plane> {
-        let usual = self.circle_plane(w, &self.parameters(VIA));
-        let [_, _, third] = [usual.axes().0, usual.axes().1, usual.axes().2].map(|i| Axis::ALL[i]);
-        let level = |run: &mut Self, axis: Axis| -> Outcome<bool> {
-            let Some(at) = run.st.position.get(axis) else { return Ok(false) };
-            let via =
-                run.parameters(VIA).into_iter().find(|(_, of)| *of == axis).and_then(|(address, _)| w.get(address));
-            for given in [w.axis(axis), via].into_iter().flatten() {
-                if (run.target(axis, given)? - at).abs() > 1e-9 {
-                    return Ok(false);
-                }
-            }
-            Ok(true)
-        };
-        if level(self, third)? {
-            return Ok(usual);
-        }
-        for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
-            let (_, _, other) = plane.axes();
-            let via = self
-                .parameters(VIA)
-                .iter()
-                .find(|(_, of)| *of == Axis::ALL[other])
-                .and_then(|(address, _)| w.get(*address));
-            if via.is_some() && level(self, Axis::ALL[other])? {
-                return Ok(plane);
-            }
-        }
-        Ok(usual)
-    }
-
-    /// The manuals list the quantities that are diameters, and this one is not among them.
-    fn says_via_in_diameters(&self, w: &Words) {
-        if self.st.diameter_mode() == Diameter::Off {
-            return;
-        }
-        let across = self.parameters(VIA).into_iter().find(|(_, axis)| self.core.is_diameter_axis(*axis));
-        let given = across.and_then(|(address, _)| w.get(address));
-        if let Some(given) = given.filter(|given| !matches!(given.mode, Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric))
-            && self.core.job.diags.first_time(codes::S8048, ())
-        {
-            let found = codes::S8048::intermediate_point_of_cip_is_read().at(self.core.loc(given.span));
-            self.core.report(found.help("program DIAMOF for the circle if a radius is meant"));
-        }
-    }
-
     /// CIP
     pub(super) fn via_block(&mut self, w: &mut Words) -> Outcome {
-        let plane = self.via_plane(w)?;
+        let plane = self.st.via_plane(&self.core, w)?;
         let feed = self.cutting_feed(w)?;
-        let turns = self.core.turns(w)?;
-        let start = self.start_in(plane, w)?;
+        let turns = w.turns(&self.core)?;
+        let start = self.st.start_in(&self.core, plane, w)?;
         let span = VIA.into_iter().filter_map(|a| w.get(a)).map(|g| g.span).reduce(Span::to).unwrap_or_default();
         let (_, _, third) = plane.axes();
         let third = Axis::ALL[third];
         // An intermediate point outside the plane: the circle stands obliquely in space.
         if let Some((address, axis)) =
-            self.parameters(VIA).iter().find(|(address, axis)| *axis == third && w.get(*address).is_some())
+            self.st.machine.parameters(VIA).iter().find(|(address, axis)| *axis == third && w.get(*address).is_some())
         {
             let given = w.get(*address).unwrap_or_default();
-            let at = self.target(*axis, Given { mode: given.mode, ..given })?;
+            let at = self.st.target(&self.core, *axis, Given { mode: given.mode, ..given })?;
             let level = |pos: Option<f64>| pos.is_none_or(|v| (v - at).abs() < 1e-9);
             let end_level = w.axis(*axis);
             let end = match end_level {
-                Some(given) => Some(self.target(*axis, given)?),
+                Some(given) => Some(self.st.target(&self.core, *axis, given)?),
                 None => None,
             };
             if !level(self.st.position.get(*axis)) || !level(end) {
@@ -289,10 +146,10 @@ impl Channel<'_> {
             }
             w.take(*address);
         }
-        self.says_via_in_diameters(w);
-        let mut end = self.targets(w)?;
-        let to = self.core.end_in(&end, plane, start);
-        let Some(point) = self.point_of(w, &self.parameters(VIA), plane, start, true)? else {
+        says_via_in_diameters(&self.core, &self.st, w);
+        let mut end = self.st.targets(&self.core, w)?;
+        let to = end_in(&end, plane, start);
+        let Some(point) = self.st.point_of(&self.core, w, &self.st.machine.parameters(VIA), plane, start, true)? else {
             return self.core.refuse(
                 w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|g| g.span).unwrap_or_default(),
                 codes::S3006::cip_needs_intermediate_point(),
@@ -309,6 +166,114 @@ impl Channel<'_> {
             return self.core.refuse(span, codes::S3006::start_intermediate_point());
         }
         self.send_arc(&end, Arc { plane, shape: ArcShape::Via { point }, turns }, feed, span)
+    }
+}
+
+impl Words {
+    pub(super) fn arc_span(&self) -> Span {
+        let words = CENTER.into_iter().chain([Address::Cr, Address::Ar]);
+        words.filter_map(|address| self.get(address)).map(|given| given.span).reduce(Span::to).unwrap_or_default()
+    }
+
+    pub(super) fn turns(&mut self, core: &Core<'_>) -> Outcome<u32> {
+        let Some(turn) = self.take(Address::Turn) else { return Ok(0) };
+        if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
+            return core.refuse(turn.span, codes::S3005::turn_is_no_number_of_turns(&turn.value));
+        }
+        Ok(turn.value as u32)
+    }
+}
+
+impl State {
+    /// Where the arc starts.
+    pub(super) fn start_in(&self, core: &Core<'_>, plane: Plane, w: &Words) -> Outcome<Point2> {
+        if let Some(start) = self.position.in_plane(plane) {
+            return Ok(start);
+        }
+        let (first, second, _) = plane.axes();
+        let missing = [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.position.get(*axis).is_none());
+        let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
+        self.unknown_axis(core, missing.unwrap_or(Axis::X), span)
+    }
+
+    fn point_of(
+        &self,
+        core: &Core<'_>,
+        w: &mut Words,
+        names: &[(Address, Axis); 3],
+        plane: Plane,
+        start: Point2,
+        follows_g90: bool,
+    ) -> Outcome<Option<Point2>> {
+        let (first, second, _) = plane.axes();
+        let mut point = start;
+        let mut any = false;
+        for (address, axis) in names {
+            let Some(given) = w.get(*address) else { continue };
+            let place = match axis.index() {
+                i if i == first => &mut point.x,
+                i if i == second => &mut point.y,
+                _ => {
+                    return core.refuse(given.span, codes::P1003::this_word_counts_along(&axis.letter()));
+                }
+            };
+            w.take(*address);
+            any = true;
+            let absolute = match given.mode {
+                Mode::Plain => follows_g90 && !self.is(GCode::G91),
+                Mode::Ac => true,
+                Mode::Ic => false,
+                _ => {
+                    return core.refuse(given.span, codes::P1003::only_ac_ic());
+                }
+            };
+            if absolute {
+                *place = self.length(core, *axis, Given { mode: Mode::Ac, ..given }, false)?;
+            } else if follows_g90 {
+                *place += self.length(core, *axis, Given { mode: Mode::Ic, ..given }, true)?;
+            } else {
+                // The way to a centre is a radius whatever DIAMON says.
+                *place += given.value * self.length_unit();
+            }
+        }
+        Ok(any.then_some(point))
+    }
+
+    /// The plane of a circle through a point: the one in which all that is given lies.
+    fn via_plane(&mut self, core: &Core<'_>, w: &Words) -> Outcome<Plane> {
+        let usual = circle_plane(self.plane(), w, &self.machine.parameters(VIA));
+        let [_, _, third] = [usual.axes().0, usual.axes().1, usual.axes().2].map(|i| Axis::ALL[i]);
+        let level = |st: &mut Self, axis: Axis| -> Outcome<bool> {
+            let Some(at) = st.position.get(axis) else { return Ok(false) };
+            let via = st
+                .machine
+                .parameters(VIA)
+                .into_iter()
+                .find(|(_, of)| *of == axis)
+                .and_then(|(address, _)| w.get(address));
+            for given in [w.axis(axis), via].into_iter().flatten() {
+                if (st.target(core, axis, given)? - at).abs() > 1e-9 {
+                    return Ok(false);
+                }
+            }
+            Ok(true)
+        };
+        if level(self, third)? {
+            return Ok(usual);
+        }
+        for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
+            let (_, _, other) = plane.axes();
+            let via = self
+                .machine
+                .parameters(VIA)
+                .iter()
+                .find(|(_, of)| *of == Axis::ALL[other])
+                .and_then(|(address, _)| w.get(*address));
+            if via.is_some() && level(self, Axis::ALL[other])? {
+                return Ok(plane);
+            }
+        }
+        Ok(usual)
     }
 }
 
@@ -364,36 +329,72 @@ impl Core<'_> {
         let control = &self.job.settings.control;
         control.sinumerik.circle_error.max(control.sinumerik.circle_error_factor * radius.abs())
     }
+}
 
-    pub(super) fn arc_span(&self, w: &Words) -> Span {
-        let words = CENTER.into_iter().chain([Address::Cr, Address::Ar]);
-        words.filter_map(|address| w.get(address)).map(|given| given.span).reduce(Span::to).unwrap_or_default()
+fn names_plane(w: &Words, plane: Plane) -> bool {
+    let (first, second, _) = plane.axes();
+    w.axes.contains(Axis::ALL[first]) || w.axes.contains(Axis::ALL[second])
+}
+
+/// The end in the plane; coordinates that are not named stay.
+pub(super) fn end_in(end: &Pos, plane: Plane, start: Point2) -> Point2 {
+    let (first, second, _) = plane.axes();
+    Point2::new(end.get(Axis::ALL[first]).unwrap_or(start.x), end.get(Axis::ALL[second]).unwrap_or(start.y))
+}
+
+fn opening(core: &Core<'_>, ar: Given, ccw: bool) -> Outcome<Deg> {
+    if !(0.0001..=359.9999).contains(&ar.value) {
+        return core.refuse(ar.span, codes::S3004::ar_lies_outside_0_0001_to_359(&ar.value));
     }
+    Ok(Deg(if ccw { ar.value } else { -ar.value }))
+}
 
-    fn plane_axes_named(&self, w: &Words, plane: Plane) -> bool {
+/// The plane of a circle: the working plane, or the one of two axes that are not both in it.
+fn circle_plane(plane: Plane, w: &Words, names: &[(Address, Axis); 3]) -> Plane {
+    let mut geometry = w.axes.common(AxisSet::MAIN).iter();
+    let (Some(a), Some(b), None) = (geometry.next(), geometry.next(), geometry.next()) else { return plane };
+    let has = |plane: Plane, axis: Axis| {
         let (first, second, _) = plane.axes();
-        w.axes.contains(Axis::ALL[first]) || w.axes.contains(Axis::ALL[second])
+        axis.index() == first || axis.index() == second
+    };
+    if has(plane, a) && has(plane, b) {
+        return plane;
     }
+    let other = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(|p| has(*p, a) && has(*p, b));
+    let Some(other) = other else { return plane };
+    // Parameters of the working plane mean a helix whose one end coordinate stays.
+    let fits = names.iter().all(|(address, axis)| w.get(*address).is_none() || has(other, *axis));
+    let helix = w.get(Address::Turn).is_some();
+    if fits && !helix && w.get(Address::Ar).is_none() { other } else { plane }
+}
 
-    /// The end in the plane; coordinates that are not named stay.
-    pub(super) fn end_in(&self, end: &Pos, plane: Plane, start: Point2) -> Point2 {
-        let (first, second, _) = plane.axes();
-        Point2::new(end.get(Axis::ALL[first]).unwrap_or(start.x), end.get(Axis::ALL[second]).unwrap_or(start.y))
+/// CR: a radius, below 0 for the longer way around.
+fn arc_by_radius(core: &Core<'_>, unit: f64, cr: Given, chord: f64, ccw: bool) -> Outcome<ArcShape> {
+    let radius = cr.value * unit;
+    if chord <= SAME {
+        return core.refuse(cr.span, codes::P3002::arc_by_cr_ends_where_it_starts());
     }
-
-    fn opening(&self, ar: Given, ccw: bool) -> Outcome<Deg> {
-        if !(0.0001..=359.9999).contains(&ar.value) {
-            return self.refuse(ar.span, codes::S3004::ar_lies_outside_0_0001_to_359(&ar.value));
-        }
-        Ok(Deg(if ccw { ar.value } else { -ar.value }))
+    let tol = core.circle_tolerance(radius);
+    if radius == 0.0 || chord > 2.0 * radius.abs() + tol {
+        let needed = chord / 2.0 / unit;
+        let fault = codes::S3001::points_are_mm_apart(&chord, &cr.value, &(2.0 * radius.abs()), &needed);
+        return core.refuse(cr.span, fault);
     }
+    Ok(ArcShape::Radius { radius, ccw, tol })
+}
 
-    pub(super) fn turns(&self, w: &mut Words) -> Outcome<u32> {
-        let Some(turn) = w.take(Address::Turn) else { return Ok(0) };
-        if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
-            return self.refuse(turn.span, codes::S3005::turn_is_no_number_of_turns(&turn.value));
-        }
-        Ok(turn.value as u32)
+/// The manuals list the quantities that are diameters, and this one is not among them.
+fn says_via_in_diameters(core: &Core<'_>, st: &State, w: &Words) {
+    if st.diameter_mode() == Diameter::Off {
+        return;
+    }
+    let across = st.machine.parameters(VIA).into_iter().find(|(_, axis)| core.is_diameter_axis(*axis));
+    let given = across.and_then(|(address, _)| w.get(address));
+    if let Some(given) = given.filter(|given| !matches!(given.mode, Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric))
+        && core.job.diags.first_time(codes::S8048, ())
+    {
+        let found = codes::S8048::intermediate_point_of_cip_is_read().at(core.loc(given.span));
+        core.report(found.help("program DIAMOF for the circle if a radius is meant"));
     }
 }
 

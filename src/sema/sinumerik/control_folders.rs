@@ -4,6 +4,10 @@
 
 use crate::text::ControlFolder;
 
+/// Definition files that a control reads at power-on, if they stand beside the program.
+pub(super) const DEFINITION_FILES: &[&str] =
+    &["SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9", "SMAC", "MMAC", "UMAC"];
+
 /// One folder of the root: its path, and the names of its copies.
 macro_rules! folder {
     ($name:literal, $below:expr) => {

@@ -8,6 +8,7 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::GCode;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
@@ -45,89 +46,45 @@ impl Corners {
     pub fn feed(&self) -> Option<Feed> {
         self.feed
     }
+
+    /// A block without a move behind a corner: the control looks ahead over a few of them only (MD 20200).
+    pub fn pass_block(&mut self, core: &Core<'_>, moved: bool) -> Outcome {
+        if moved {
+            return Ok(());
+        }
+        let Some(loc) = self.open.wait(MOST_BETWEEN) else { return Ok(()) };
+        let found = codes::S2071::more_than_blocks_without_move_stand(&MOST_BETWEEN).at(loc);
+        core.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
+        Err(Reported)
+    }
 }
 
-impl Channel<'_> {
+impl Words {
+    pub(super) fn shapes_corner(&self) -> bool {
+        [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().any(|address| self.get(*address).is_some())
+    }
+}
+
+impl State {
     /// RNDM and FRCM.
-    pub(super) fn modal_contour_words(&mut self, w: &mut Words) -> Outcome {
+    pub(super) fn modal_contour_words(&mut self, core: &Core<'_>, w: &mut Words) -> Outcome {
         if let Some(rndm) = w.take(Address::Rndm) {
             if rndm.value < 0.0 {
-                return self.core.negative(rndm.span);
+                return core.negative(rndm.span);
             }
-            self.st.corners.rounding = rndm.value * self.st.length_unit();
+            self.corners.rounding = rndm.value * self.length_unit();
         }
         if let Some(frcm) = w.take(Address::Frcm) {
             if frcm.value < 0.0 {
-                return self.core.refuse(frcm.span, codes::P2003::feed_frcm_is_negative());
+                return core.refuse(frcm.span, codes::P2003::feed_frcm_is_negative());
             }
-            self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
+            self.corners.feed = (frcm.value > 0.0).then(|| self.feed_of(frcm.value));
         }
         Ok(())
     }
+}
 
-    /// The corner that the block asks for at its end.
-    pub(super) fn corner_words(&mut self, w: &mut Words) -> Outcome<Option<Corner>> {
-        if !self.core.has_corner_words(w) && self.st.corners.rounding == 0.0 {
-            return Ok(None);
-        }
-        if self.st.is(GCode::G93) {
-            let corner = [Address::Rnd, Address::Chr, Address::Chf, Address::Frc].iter().find_map(|a| w.get(*a));
-            let span = corner.map(|given| given.span).unwrap_or_default();
-            return self.core.refuse(span, codes::S9009::corner_has_no_share_of_time());
-        }
-        let (rnd, chr, chf, frc) =
-            (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));
-        for given in [rnd, chr, chf].into_iter().flatten() {
-            if given.value < 0.0 {
-                return self.core.negative(given.span);
-            }
-        }
-        let unit = self.st.length_unit();
-        // A rounding goes before a chamfer in the same block.
-        if let (Some(_), Some(other)) = (rnd, chr.or(chf)) {
-            let found = codes::S8008::rnd_chamfer_stand_in_one_block().at(self.core.loc(other.span));
-            self.core.report(found.help("delete one of them"));
-        }
-        if let (Some(_), Some(chf)) = (chr, chf) {
-            return self.core.refuse(chf.span, codes::S2071::chr_chf_stand_in_one_block());
-        }
-        let explicit = rnd.is_some() || chr.is_some() || chf.is_some();
-        let shape = match (rnd, chr, chf) {
-            (Some(rnd), _, _) => CornerShape::Rounding { radius: rnd.value * unit },
-            (None, Some(chr), _) => CornerShape::Chamfer { side: chr.value * unit },
-            (None, None, Some(chf)) => CornerShape::ChamferLength { length: chf.value * unit },
-            (None, None, None) => CornerShape::Rounding { radius: self.st.corners.rounding },
-        };
-        let feed = match frc {
-            Some(frc) if frc.value > 0.0 => Some(self.st.feed_of(frc.value)),
-            Some(frc) => return self.core.refuse(frc.span, codes::P2003::feed_frc_is_not_above_0()),
-            None => self.modal_corner_feed()?,
-        };
-        if !explicit && self.st.corners.rounding == 0.0 {
-            return self.core.refuse(
-                frc.map(|given| given.span).unwrap_or_default(),
-                codes::S2071::frc_stands_without_chamfer_or_rounding(),
-            );
-        }
-        let size = match shape {
-            CornerShape::Rounding { radius } => radius,
-            CornerShape::Chamfer { side } => side,
-            CornerShape::ChamferLength { length } => length,
-            CornerShape::Undercut(_) => 0.0,
-        };
-        let (large, at_arc, blocks) = (self.core.large_corner(), self.core.arc_chamfer(), Blocks::PassedOver);
-        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc, blocks }))
-    }
-
-    /// FRCM, which counts as the feeds did where it was programmed.
-    pub(super) fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
-        let fits = self.st.corners.feed.is_none_or(|feed| self.st.counts_as(feed));
-        if fits {
-            return Ok(self.st.corners.feed);
-        }
-        self.core.refuse(Where::Block, codes::P2002::kind_of_feed_has_changed_since_frcm())
-    }
-
+impl Channel<'_> {
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {
         let Some(corner) = corner else { return };
         // A modal rounding is for moves that cut.
@@ -142,24 +99,71 @@ impl Channel<'_> {
             self.st.corners.open.open(self.core.here.origin.loc);
         }
     }
+}
 
-    /// A block without a move behind a corner: the control looks ahead over a few of them only (MD 20200).
-    pub(super) fn block_behind_corner(&mut self, moved: bool) -> Outcome {
-        if moved {
-            return Ok(());
-        }
-        let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
-        let found = codes::S2071::more_than_blocks_without_move_stand(&MOST_BETWEEN).at(loc);
-        self.core.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
-        Err(Reported)
+/// The corner that the block asks for at its end.
+pub(super) fn corner_of(core: &Core<'_>, st: &State, w: &mut Words) -> Outcome<Option<Corner>> {
+    if !w.shapes_corner() && st.corners.rounding == 0.0 {
+        return Ok(None);
     }
+    if st.is(GCode::G93) {
+        let corner = [Address::Rnd, Address::Chr, Address::Chf, Address::Frc].iter().find_map(|a| w.get(*a));
+        let span = corner.map(|given| given.span).unwrap_or_default();
+        return core.refuse(span, codes::S9009::corner_has_no_share_of_time());
+    }
+    let (rnd, chr, chf, frc) = (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));
+    for given in [rnd, chr, chf].into_iter().flatten() {
+        if given.value < 0.0 {
+            return core.negative(given.span);
+        }
+    }
+    let unit = st.length_unit();
+    // A rounding goes before a chamfer in the same block.
+    if let (Some(_), Some(other)) = (rnd, chr.or(chf)) {
+        let found = codes::S8008::rnd_chamfer_stand_in_one_block().at(core.loc(other.span));
+        core.report(found.help("delete one of them"));
+    }
+    if let (Some(_), Some(chf)) = (chr, chf) {
+        return core.refuse(chf.span, codes::S2071::chr_chf_stand_in_one_block());
+    }
+    let explicit = rnd.is_some() || chr.is_some() || chf.is_some();
+    let shape = match (rnd, chr, chf) {
+        (Some(rnd), _, _) => CornerShape::Rounding { radius: rnd.value * unit },
+        (None, Some(chr), _) => CornerShape::Chamfer { side: chr.value * unit },
+        (None, None, Some(chf)) => CornerShape::ChamferLength { length: chf.value * unit },
+        (None, None, None) => CornerShape::Rounding { radius: st.corners.rounding },
+    };
+    let feed = match frc {
+        Some(frc) if frc.value > 0.0 => Some(st.feed_of(frc.value)),
+        Some(frc) => return core.refuse(frc.span, codes::P2003::feed_frc_is_not_above_0()),
+        None => modal_corner_feed(core, st)?,
+    };
+    if !explicit && st.corners.rounding == 0.0 {
+        return core.refuse(
+            frc.map(|given| given.span).unwrap_or_default(),
+            codes::S2071::frc_stands_without_chamfer_or_rounding(),
+        );
+    }
+    let size = match shape {
+        CornerShape::Rounding { radius } => radius,
+        CornerShape::Chamfer { side } => side,
+        CornerShape::ChamferLength { length } => length,
+        CornerShape::Undercut(_) => 0.0,
+    };
+    let (large, at_arc, blocks) = (core.large_corner(), core.arc_chamfer(), Blocks::PassedOver);
+    Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc, blocks }))
+}
+
+/// FRCM, which counts as the feeds did where it was programmed.
+pub(super) fn modal_corner_feed(core: &Core<'_>, st: &State) -> Outcome<Option<Feed>> {
+    let fits = st.corners.feed.is_none_or(|feed| st.counts_as(feed));
+    if fits {
+        return Ok(st.corners.feed);
+    }
+    core.refuse(Where::Block, codes::P2002::kind_of_feed_has_changed_since_frcm())
 }
 
 impl Core<'_> {
-    pub(super) fn has_corner_words(&self, w: &Words) -> bool {
-        [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().any(|address| w.get(*address).is_some())
-    }
-
     pub(super) fn no_corner(&self, span: Span) -> Outcome<bool> {
         self.refuse(span, codes::S2071::chamfer_or_rounding_stands_in_block())
     }

@@ -12,172 +12,120 @@ use crate::ir::cycle::drilling::{Method, Tap};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::Spindle;
 use crate::machine::{Axis, AxisSet};
-use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::sema::cycle::call::{Elsewhere, Kind, Made, Refusal, Remark};
-use crate::sema::cycle::given::{Given, Value};
-use crate::sema::cycle::row;
+use crate::sema::cycle::given::Given;
 use crate::sema::run::Where;
-use crate::text::Span;
 
 use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work};
-use super::g_groups::{GCode, Group};
+use super::g_groups::{ActiveCodes, GCode, Group};
+use super::levels::FrameKind;
 use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
-use super::value::{Val, to_text};
-use super::words::CallWord;
-use super::{Channel, Outcome, Reported, Run};
+use super::state::State;
+use super::transformation::no_turning_cycle_here;
+use super::vars::Argument;
+use super::{Channel, Core, Outcome, Reported};
 use crate::ir::Side;
 
-/// A value of the language as the argument of a parameter.
-fn value_of(value: &Val, kind: row::Kind) -> Value {
-    let text = || {
-        let text = to_text(value).unwrap_or_default();
-        Value::Text(String::from_utf8_lossy(&text).trim().to_ascii_uppercase())
-    };
-    match (value, kind) {
-        (Val::Missing, _) => Value::Missing,
-        // A letter in a variable of type CHAR is the text that it was written as.
-        (Val::Text(_), row::Kind::Text) | (Val::Text(_) | Val::Char(_), row::Kind::Either) => text(),
-        _ => match value.number() {
-            Some(number) => Value::Number(number),
-            None if matches!(kind, row::Kind::Text | row::Kind::Either) => text(),
-            None => Value::Other,
-        },
+impl Channel<'_> {
+    /// Does nothing stand in the way of the cycle? Says what its path depends on.
+    pub(super) fn takes_cycle(&mut self, row: &Row, given: &Given) -> Outcome {
+        let place = given.place;
+        let moves = !matches!(row.work, Work::NamesContour | Work::Unpublished(_));
+        no_turning_cycle_here(&self.core, &self.st, row.signature.name, place)?;
+        self.pending_must_be_done(place)?;
+        if self.st.side() != Side::None {
+            return self.core.refuse(place, codes::P2090::radius_compensation().of(&given.called));
+        }
+        match self.st.offsets.outer() {
+            Outer::Machine => {
+                let what = "a cycle cannot be printed in machine coordinates";
+                return self.core.in_machine_only_lines(place, what);
+            }
+            Outer::Unrelated => return self.core.unrelated(place, "G500 stands beside"),
+            // A contour that is only named moves nothing.
+            Outer::Basic | Outer::Printed(_) if !moves => {}
+            Outer::Basic | Outer::Printed(_) => self.st.offsets.note_move(&self.core),
+        }
+        self.st.codes.no_cycle_by_time(&self.core, place)?;
+        if moves {
+            self.speed_is_known()?;
+            if self.st.codes.per_revolution() {
+                self.st.master_feeds(&self.core, place);
+            }
+        }
+        if matches!(row.work, Work::Hole(_)) { Ok(()) } else { self.asked(given, |call| call.meets_row(row)) }
     }
 }
 
-impl Run<'_> {
-    /// Runs a machining cycle; `None` for a name that is none, or that is not built.
-    pub(super) fn machining_cycle(
-        &mut self,
-        name: &str,
-        call: CallWord,
-        block: &Block,
-        text: &[u8],
-    ) -> Option<Outcome> {
-        let row = cycles::find(name)?;
-        if matches!(row.work, Work::Nothing) || self.own_program(name) {
-            return None;
-        }
-        let result =
-            self.given_of(row, call.args, call.span, block, text).and_then(|given| self.run_cycle(row, &given));
-        if result.is_err() {
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
-        }
-        Some(result)
-    }
-
-    fn given_of(
-        &mut self,
-        row: &'static Row,
-        args: Option<Args>,
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome<Given> {
-        let name = row.signature.name;
-        self.channel.no_cycle_in_contour(name, span)?;
-        let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
-        let parameters = row.signature.parameters;
-        let mut given = Given::new(&row.signature, name, span.into(), self.channel.st.length_unit());
-        let mut too_many = None;
-        for (at, formula) in formulas.into_iter().enumerate() {
-            let value = self.eval(formula, block, text)?;
-            match parameters.get(at) {
-                Some(parameter) => given.push(value_of(&value, parameter.kind), formula.span.into()),
-                None => too_many = too_many.or(Some(formula.span)),
+impl State {
+    fn spindle_was_told(&mut self, told: &SpindleTold) {
+        let printed = told.reduced.or(match told.speed {
+            Some(Spindle::Speed(turns)) => Some(turns),
+            _ => None,
+        });
+        if let Some(turns) = printed {
+            self.spindles.set_turns(turns, turns);
+            // The feed keeps its kind.
+            match self.codes.of(Group::FeedType) {
+                GCode::G96 => self.codes.activate(GCode::G97),
+                GCode::G961 => self.codes.activate(GCode::G971),
+                _ => {}
             }
         }
-        if let Some(at) = too_many {
-            return self.channel.core.refuse(at, codes::S2021::takes_arguments(&name, &parameters.len()));
-        }
-        self.channel.asked(&given, |call| call.fits_its_row())?;
-        Ok(given)
-    }
-
-    fn run_cycle(&mut self, row: &'static Row, given: &Given) -> Outcome {
-        let place = given.place;
-        let moves = !matches!(row.work, Work::NamesContour | Work::Unpublished(_));
-        self.begins_executing();
-        self.channel.no_turning_cycle_here(row.signature.name, place)?;
-        self.channel.pending_must_be_done(place)?;
-        if self.channel.st.side() != Side::None {
-            return self.channel.core.refuse(place, codes::P2090::radius_compensation().of(&given.called));
-        }
-        match self.channel.st.offsets.outer() {
-            Outer::Machine => {
-                return self
-                    .channel
-                    .core
-                    .in_machine_only_lines(place, "a cycle cannot be printed in machine coordinates");
-            }
-            Outer::Unrelated => return self.channel.core.unrelated(place, "G500 stands beside"),
-            // A contour that is only named moves nothing.
-            Outer::Basic | Outer::Printed(_) if !moves => {}
-            Outer::Basic | Outer::Printed(_) => self.channel.note_outer(),
-        }
-        self.channel.no_cycle_by_time(place)?;
-        if moves {
-            self.channel.speed_is_known()?;
-            if self.channel.st.codes.per_revolution() {
-                self.channel.master_feeds(place);
-            }
-        }
-        if !matches!(row.work, Work::Hole(_)) {
-            self.channel.asked(given, |call| call.meets_row(row))?;
-        }
-        match &row.work {
-            Work::Hole(_) => {
-                let hole = self.channel.hole_of(row, given)?;
-                self.channel.drill(&hole)
-            }
-            Work::Plan(plan) => self.channel.run_plan(row, given, plan),
-            Work::Along(contour, plan) => {
-                let contours = self.contours_of(given, *contour)?;
-                self.channel.run_plan(row, given, |call| plan(call, &contours))
-            }
-            Work::NamesContour => self.contour_call(given),
-            Work::Unpublished(cycle) => self.unpublished_cycle(given, *cycle),
-            Work::Nothing => Ok(()),
+        if told.turn.is_some() {
+            self.spindles.set_turn(told.turn);
         }
     }
 
-    /// `MCALL CYCLE81(…)`; `None` for a name that is no cycle.
-    pub(super) fn modal_machining_cycle(
-        &mut self,
-        name: &str,
-        args: Args,
-        block: &Block,
-        text: &[u8],
-    ) -> Option<Outcome> {
-        let row = cycles::find(name)?;
-        let Work::Hole(drilling) = &row.work else { return None };
-        if self.own_program(name) {
-            return None;
+    pub(super) fn spindle_state(&self) -> SpindleState {
+        let (spindles, tool) = (&self.spindles, &self.tool);
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.codes.per_revolution(), tool.active(), tool.edge())
+    }
+}
+
+impl ActiveCodes {
+    fn no_cycle_by_time(&self, core: &Core<'_>, place: impl Into<Where>) -> Outcome {
+        if !self.is(GCode::G93) {
+            return Ok(());
         }
-        Some(self.given_of(row, Some(args), block.span, block, text).and_then(|given| {
-            self.channel.st.modal_call.end();
-            let hole = self.channel.hole_of(row, &given)?;
-            let feed_of_block = drilling.modal_feed;
-            let under = (self.channel.st.plane(), self.channel.st.length_unit());
-            let (here, spindle) = (self.channel.core.here, self.channel.spindle_state());
-            let made = ModalCycle { hole, given, here, spindle, feed_of_block, under, refused: false };
-            self.channel.st.modal_call.set_cycle(Box::new(made));
-            Ok(())
-        }))
+        core.refuse(place, codes::S9009::moves_of_cycle_have_no_share_of_time())
     }
 }
 
 impl Channel<'_> {
+    /// Behind a block that moved: drills the modal cycle, or hands out the modal program, unless it is the one that moved.
+    pub(super) fn runs_modally(&mut self) -> Outcome<Option<(usize, Vec<Argument>)>> {
+        let is_modal = |kind: &FrameKind| matches!(kind, FrameKind::Program { modal: true, .. });
+        let inside = self.core.levels.iter().any(|level| is_modal(&level.frame.kind));
+        if !inside && self.st.modal_call.is_on() {
+            self.st.pair.under_no_modal_call(&self.core, &mut self.st.position)?;
+        }
+        if self.st.modal_call.cycle().is_some() {
+            self.tapping_ends();
+            return if inside { Ok(None) } else { self.drill_modal().map(|()| None) };
+        }
+        let program = self.st.modal_call.program().filter(|_| !inside);
+        Ok(program.map(|(unit, arguments)| (unit, arguments.to_vec())))
+    }
+
     /// Runs a plan and carries out what it made.
-    fn run_plan(&mut self, row: &Row, given: &Given, plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>) -> Outcome {
+    pub(super) fn run_plan(
+        &mut self,
+        row: &Row,
+        given: &Given,
+        plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>,
+    ) -> Outcome {
         let (acts, ways) = self.planned(given, plan)?;
         if row.needs.contains(&cycles::Need::KnownPlace) {
-            self.turning_position(given.place)?;
+            let at = |axis| self.st.position.get(axis);
+            if let Some(axis) = [Axis::X, Axis::Z].into_iter().find(|axis| at(*axis).is_none()) {
+                return self.st.unknown_axis(&self.core, axis, given.place);
+            }
         }
         self.carry_out(acts)?;
-        self.say_ways(given, ways);
+        say_ways(&self.core, given, ways);
         Ok(())
     }
 
@@ -195,9 +143,9 @@ impl Channel<'_> {
         let (ways, remarks): (Vec<_>, Vec<_>) =
             call.remarks().into_iter().partition(|remark| matches!(remark.kind, Kind::Way | Kind::Open));
         if takes_feed {
-            self.feed_kind_is_said();
+            self.st.feed.say_kind(&self.core);
         }
-        self.say_remarks(remarks);
+        say_remarks(&self.core, remarks);
         for Elsewhere { place, fault, call } in elsewhere {
             self.core.report(fault.at(place).also(self.core.loc(given.place), call));
         }
@@ -213,41 +161,8 @@ impl Channel<'_> {
         }
     }
 
-    fn say_remarks(&self, remarks: Vec<Remark>) {
-        for Remark { place, fault, kind } in remarks {
-            if kind == Kind::Once {
-                self.core.say_once(place, fault);
-                continue;
-            }
-            let found = fault.at(self.core.loc(place));
-            if kind == Kind::Each || !self.core.job.diags.knows(&found) {
-                self.core.report(found);
-            }
-        }
-    }
-
-    /// The ways of a call and what it leaves open in one note each, once for all calls of which the same holds.
-    fn say_ways(&self, given: &Given, remarks: Vec<Remark>) {
-        let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
-        for Remark { fault, kind, .. } in remarks {
-            if kind == Kind::Open {
-                open.push(fault.message);
-                helps.push(fault.help.map(|help| help.text).unwrap_or_default());
-            } else if !ways.contains(&fault.message) {
-                ways.push(fault.message);
-            }
-        }
-        if !open.is_empty() {
-            let fault = codes::S8230::call_leaves_open(&given.called, &open.join("; "));
-            self.core.say_once(given.place, fault.help(helps.join("; ")));
-        }
-        if !ways.is_empty() {
-            self.core.say_once(given.place, codes::P8101::ways_of_call(&given.called, &ways.join("; ")));
-        }
-    }
-
     /// The hole of a drilling cycle.
-    fn hole_of(&mut self, row: &Row, given: &Given) -> Outcome<Drilling> {
+    pub(super) fn hole_of(&mut self, row: &Row, given: &Given) -> Outcome<Drilling> {
         let Work::Hole(drilling) = &row.work else { return Err(Reported) };
         self.asked(given, |call| call.meets_row(row))?;
         let hole = self.asked(given, |call| call.hole(drilling))?;
@@ -267,23 +182,17 @@ impl Channel<'_> {
                     self.send_cycle(&cycle);
                 }
                 Act::From(front, cycle) => {
-                    let end = self.in_plane(front);
+                    let end = in_plane(self.st.plane(), front);
                     self.send(&end, Path::Rapid);
                     self.send_cycle(&cycle);
                     // The control may end where it came from.
                     self.st.position.forget(end.known());
                 }
                 Act::Drill(places) => self.drill_pattern(&places)?,
-                Act::Spindle(told) => self.spindle_was_told(&told),
+                Act::Spindle(told) => self.st.spindle_was_told(&told),
             }
         }
         Ok(())
-    }
-
-    fn in_plane(&self, point: Point2) -> Pos {
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.st.plane(), point);
-        end
     }
 
     /// Goes to each position and runs the modal cycle there.
@@ -292,36 +201,11 @@ impl Channel<'_> {
         self.core.budget.take(places.len() as u64 / 16);
         for place in places {
             self.core.goes_on()?;
-            let end = self.in_plane(*place);
+            let end = in_plane(self.st.plane(), *place);
             self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
         Ok(())
-    }
-
-    fn spindle_was_told(&mut self, told: &SpindleTold) {
-        let printed = told.reduced.or(match told.speed {
-            Some(Spindle::Speed(turns)) => Some(turns),
-            _ => None,
-        });
-        if let Some(turns) = printed {
-            self.st.spindles.set_turns(turns, turns);
-            // The feed keeps its kind.
-            match self.st.codes.of(Group::FeedType) {
-                GCode::G96 => self.st.codes.activate(GCode::G97),
-                GCode::G961 => self.st.codes.activate(GCode::G971),
-                _ => {}
-            }
-        }
-        if told.turn.is_some() {
-            self.st.spindles.set_turn(told.turn);
-        }
-    }
-
-    fn spindle_state(&self) -> SpindleState {
-        let (spindles, tool) = (&self.st.spindles, &self.st.tool);
-        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
-        (speed, turn, cutting, self.st.codes.per_revolution(), tool.active(), tool.edge())
     }
 
     /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
@@ -336,10 +220,10 @@ impl Channel<'_> {
     }
 
     fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
-        self.no_cycle_by_time(Where::Block)?;
+        self.st.codes.no_cycle_by_time(&self.core, Where::Block)?;
         self.speed_is_known()?;
         if self.st.codes.per_revolution() {
-            self.master_feeds(Where::Block);
+            self.st.master_feeds(&self.core, Where::Block);
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
             return self.core.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
@@ -349,7 +233,7 @@ impl Channel<'_> {
         let feed_of_block = modal.feed_of_block && !zones;
         let axis = modal.hole.axis;
         self.asked(&modal.given, |call| call.no_diameters(axis, Where::Block))?;
-        let same = modal.spindle == self.spindle_state() && !zones;
+        let same = modal.spindle == self.st.spindle_state() && !zones;
         let mut hole = if same { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
@@ -365,20 +249,13 @@ impl Channel<'_> {
         self.core.here = here;
         let hole = made?;
         modal.hole = hole.clone();
-        modal.spindle = self.spindle_state();
+        modal.spindle = self.st.spindle_state();
         self.st.modal_call.set_cycle(modal);
         Ok(hole)
     }
 
-    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
-        if !self.st.is(GCode::G93) {
-            return Ok(());
-        }
-        self.core.refuse(place, codes::S9009::moves_of_cycle_have_no_share_of_time())
-    }
-
     /// In the plane across the hole, which may be another one than the active one.
-    fn drill(&mut self, hole: &Drilling) -> Outcome {
+    pub(super) fn drill(&mut self, hole: &Drilling) -> Outcome {
         let plane = cycles::plane_across(hole.axis);
         let active = self.st.ctx.clone();
         if matches!(hole.method, Method::Bore(_)) && plane != active.plane {
@@ -393,8 +270,8 @@ impl Channel<'_> {
         if self.leaves_touched(AxisSet::of(self.st.roles()[2]), false).is_err() {
             return;
         }
-        self.length_acts_along_z();
-        self.cuts_in_between();
+        self.st.length_acts_along_z(&self.core);
+        self.left.cuts(self.capture.is_some());
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
         self.st.threads.end_chain();
@@ -408,13 +285,43 @@ impl Channel<'_> {
             });
         }
     }
+}
 
-    /// The tool stands in a known place of the turning plane.
-    fn turning_position(&mut self, place: Where) -> Outcome {
-        if self.st.position.in_plane(Plane::Zx).is_some() {
-            return Ok(());
+fn say_remarks(core: &Core<'_>, remarks: Vec<Remark>) {
+    for Remark { place, fault, kind } in remarks {
+        if kind == Kind::Once {
+            core.say_once(place, fault);
+            continue;
         }
-        let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
-        self.unknown_axis(axis, place)
+        let found = fault.at(core.loc(place));
+        if kind == Kind::Each || !core.job.diags.knows(&found) {
+            core.report(found);
+        }
     }
+}
+
+/// The ways of a call and what it leaves open in one note each, once for all calls of which the same holds.
+fn say_ways(core: &Core<'_>, given: &Given, remarks: Vec<Remark>) {
+    let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
+    for Remark { fault, kind, .. } in remarks {
+        if kind == Kind::Open {
+            open.push(fault.message);
+            helps.push(fault.help.map(|help| help.text).unwrap_or_default());
+        } else if !ways.contains(&fault.message) {
+            ways.push(fault.message);
+        }
+    }
+    if !open.is_empty() {
+        let fault = codes::S8230::call_leaves_open(&given.called, &open.join("; "));
+        core.say_once(given.place, fault.help(helps.join("; ")));
+    }
+    if !ways.is_empty() {
+        core.say_once(given.place, codes::P8101::ways_of_call(&given.called, &ways.join("; ")));
+    }
+}
+
+fn in_plane(plane: Plane, point: Point2) -> Pos {
+    let mut end = Pos::UNKNOWN;
+    end.set_in_plane(plane, point);
+    end
 }

@@ -5,22 +5,22 @@
 use crate::diag::{Answer, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
-use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::diameter::Diameter;
 use super::g_groups::GCode;
-use super::words::{Given, Mode, Words};
-use super::{Channel, Core, Outcome, Reported};
+use super::state::State;
+use super::words::{Given, Mode, Words, misfit};
+use super::{Core, Outcome, Reported};
 
-impl Channel<'_> {
+impl State {
     /// The programmed end points of all axes of the block.
     #[inline]
-    pub(super) fn targets(&mut self, w: &Words) -> Outcome<Pos> {
+    pub(super) fn targets(&mut self, core: &Core<'_>, w: &Words) -> Outcome<Pos> {
         let mut end = Pos::UNKNOWN;
         for axis in w.axes.iter() {
             if let Some(given) = w.axis(axis) {
-                let value = self.target(axis, given)?;
+                let value = self.target(core, axis, given)?;
                 end.set(axis, value);
             }
         }
@@ -29,41 +29,41 @@ impl Channel<'_> {
 
     /// The end point of one axis in mm (radius) or degrees.
     #[inline]
-    pub(super) fn target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if axis.is_rotary() {
-            return self.rotary_target(axis, given);
-        }
+    pub(super) fn target(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
+        let rotary = axis.is_rotary();
         let incremental = match given.mode {
-            Mode::Plain => self.st.is(GCode::G91),
-            Mode::Ac | Mode::Dac | Mode::Rac => false,
-            Mode::Ic | Mode::Dic | Mode::Ric => true,
+            Mode::Plain if self.is(GCode::G91) => true,
+            Mode::Ic => true,
+            _ if rotary => return self.rotary_target(core, axis, given),
+            Mode::Plain | Mode::Ac | Mode::Dac | Mode::Rac => false,
+            Mode::Dic | Mode::Ric => true,
             Mode::Dc | Mode::Acp | Mode::Acn => {
                 let alarm = match given.mode {
                     Mode::Dc => 16800,
                     Mode::Acp => 16810,
                     _ => 16820,
                 };
-                return self.core.refuse(given.span, codes::S2061::is_no_rotary_axis(&axis.letter()).alarm(alarm));
+                return core.refuse(given.span, codes::S2061::is_no_rotary_axis(&axis.letter()).alarm(alarm));
             }
-            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return self.core.does_not_fit(given.span),
+            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return core.refuse(given.span, misfit()),
         };
-        let value = self.length(axis, given, incremental)?;
-        if incremental { Ok(self.increment_base(axis, given.span)? + value) } else { Ok(value) }
+        let value = if rotary { given.value } else { self.length(core, axis, given, incremental)? };
+        if incremental { Ok(self.increment_base(core, axis, given.span)? + value) } else { Ok(value) }
     }
 
     /// A length along an axis as a radius in mm.
     #[inline]
-    pub(super) fn length(&self, axis: Axis, given: Given, incremental: bool) -> Outcome<f64> {
-        let value = given.value * self.st.length_unit();
+    pub(super) fn length(&self, core: &Core<'_>, axis: Axis, given: Given, incremental: bool) -> Outcome<f64> {
+        let value = given.value * self.length_unit();
         let diameter = match given.mode {
             Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric => {
-                if !self.core.is_diameter_axis(axis) {
-                    return self.core.no_diameter_axis(given.span);
+                if !core.is_diameter_axis(axis) {
+                    return core.no_diameter_axis(given.span);
                 }
                 matches!(given.mode, Mode::Dac | Mode::Dic)
             }
-            _ if !self.core.is_diameter_axis(axis) => false,
-            _ => match self.st.diameter_mode() {
+            _ if !core.is_diameter_axis(axis) => false,
+            _ => match self.diameter_mode() {
                 Diameter::Off => false,
                 Diameter::On => true,
                 Diameter::Absolute => !incremental,
@@ -73,56 +73,32 @@ impl Channel<'_> {
     }
 
     /// What an increment counts from: the value last programmed, or where the axis stands (SD 42440).
-    pub(super) fn increment_base(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.position.is_lost(axis) {
+    pub(super) fn increment_base(&mut self, core: &Core<'_>, axis: Axis, span: Span) -> Outcome<f64> {
+        if self.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(at) = self.st.position.get(axis) else { return self.unknown_axis(axis, span) };
-        let programmed = self.st.position.programmed(axis).unwrap_or(at);
+        let Some(at) = self.position.get(axis) else { return self.unknown_axis(core, axis, span) };
+        let programmed = self.position.programmed(axis).unwrap_or(at);
         if (programmed - at).abs() <= 1e-9 {
             return Ok(at);
         }
-        let with_offset = match self.st.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
+        let with_offset = match self.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
             Some(set) => set,
-            None => self.core.job.settings.control.sinumerik.frame_offset_incremental.unwrap_or(true),
+            None => core.job.settings.control.sinumerik.frame_offset_incremental.unwrap_or(true),
         };
         let chosen = if with_offset { programmed } else { at };
-        if self.core.job.settings.control.sinumerik.frame_offset_incremental.is_some() {
+        if core.job.settings.control.sinumerik.frame_offset_incremental.is_some() {
             return Ok(chosen);
         }
-        let found = codes::S8007::increment_of_follows_change_of_frame(&axis.letter()).at(self.core.loc(span));
+        let found = codes::S8007::increment_of_follows_change_of_frame(&axis.letter()).at(core.loc(span));
         let how = if with_offset {
             "the frame is travelled, too (SD 42440 = 1)"
         } else {
             "only the increment is travelled (SD 42440 = 0)"
         };
-        self.core.report(found.here(how).help(
+        core.report(found.here(how).help(
             Answer::key("control", "sd42440").help("set `[control] sd42440`, or program the position absolutely"),
         ));
         Ok(chosen)
-    }
-
-    pub(super) fn unknown_axis<T>(&self, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
-        if self.st.position.is_lost(axis) {
-            return Err(Reported);
-        }
-        self.no_position(axis, place, codes::P2001::where_axis_stands_is_not_known)
-    }
-}
-
-impl Core<'_> {
-    #[inline]
-    pub(super) fn is_diameter_axis(&self, axis: Axis) -> bool {
-        self.job.settings.machine.diameter_axis == Some(axis)
-    }
-
-    pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
-        if let Some(axis) = self.job.settings.machine.diameter_axis {
-            return self.refuse(span, codes::S2060::only_counts_in_diameters(&axis.letter()));
-        }
-        self.refuse(
-            span,
-            codes::S2060::no_diameter_axis_is_configured().answer(Answer::key("machine", "diameter_axis")),
-        )
     }
 }

@@ -3,35 +3,30 @@
 use crate::machine::StandIn;
 use crate::text::Span;
 
-use super::Run;
 use super::beside_path::Beside;
-use super::probe_state;
 use super::vocabulary::{Address, Indexed, Meaning, Procedure};
+use super::{Core, dictionary, probe_state};
 
-impl Run<'_> {
-    /// No entry of `[programs]` takes away what moves the tool or says where it goes; a file may stand for a cycle.
-    pub(super) fn refuse_known_words(&self) {
-        let programs = &self.channel.core.job.settings.programs;
-        let entries: Vec<(&str, &str)> = programs
-            .iter()
-            .filter(|(_, stands)| !matches!(stands, StandIn::File(_)))
-            .filter_map(|(name, _)| Some((name.as_str(), reserved(*self.vocabulary.get(name.as_str())?)?)))
-            .collect();
-        let help = "take them out: without them the tool would go another way; a file may run in place of a cycle: \
-                    `CYCLE952 = { file = \"stubs/CYCLE952.SPF\" }`";
-        self.channel.core.refuse_entries("[programs]", &entries, help);
-        let fixed: Vec<(&str, &str)> = programs
-            .iter()
-            .filter(|(name, stands)| {
-                !matches!(stands, StandIn::Ignored) && !entries.iter().any(|(entry, _)| entry == name)
-            })
-            .filter(|(name, _)| self.vocabulary.get(name.as_str()).is_some_and(|known| !takes_program(name, *known)))
-            .map(|(name, _)| (name.as_str(), "a word of the language, for which the control calls no program"))
-            .collect();
-        let help =
-            "take them out: they have no effect; what stands under `[programs]` is the name of a program or of a cycle";
-        self.channel.core.refuse_entries("[programs]", &fixed, help);
-    }
+/// No entry of `[programs]` takes away what moves the tool or says where it goes; a file may stand for a cycle.
+pub(super) fn refuse_known_words(core: &Core<'_>) {
+    let (programs, vocabulary) = (&core.job.settings.programs, dictionary::words());
+    let entries: Vec<(&str, &str)> = programs
+        .iter()
+        .filter(|(_, stands)| !matches!(stands, StandIn::File(_)))
+        .filter_map(|(name, _)| Some((name.as_str(), reserved(*vocabulary.get(name.as_str())?)?)))
+        .collect();
+    let help = "take them out: without them the tool would go another way; a file may run in place of a cycle: \
+                `CYCLE952 = { file = \"stubs/CYCLE952.SPF\" }`";
+    core.refuse_entries("[programs]", &entries, help);
+    let fixed: Vec<(&str, &str)> = programs
+        .iter()
+        .filter(|(name, stands)| !matches!(stands, StandIn::Ignored) && !entries.iter().any(|(entry, _)| entry == name))
+        .filter(|(name, _)| vocabulary.get(name.as_str()).is_some_and(|known| !takes_program(name, *known)))
+        .map(|(name, _)| (name.as_str(), "a word of the language, for which the control calls no program"))
+        .collect();
+    let help =
+        "take them out: they have no effect; what stands under `[programs]` is the name of a program or of a cycle";
+    core.refuse_entries("[programs]", &fixed, help);
 }
 
 /// Does the control look for a program of this name, so that one may stand for it?

@@ -1,11 +1,11 @@
-//! Computes formulas: postfix operations over a stack of values.
+//! Computes formulas: postfix operations over a stack of values, and lists of them.
 //!
 //! Source: S 5.2 (docs/sources.md). Comparisons bind weakest; REAL values are equal within 1e-12 of their size.
 
 use std::borrow::Cow;
 use std::rc::Rc;
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, codes};
 use crate::lexer::formula::Function;
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
@@ -14,23 +14,25 @@ use crate::text::Span;
 use crate::text::decode::readable;
 
 use super::axis_names::NamedAxis;
-use super::formula_functions::{self, FormulaFunction, NoResult};
+use super::conversions::{Fill, says_negative_half};
+use super::formula_functions::{self, FormulaFunction};
+use super::frame_functions::frame_function;
 use super::frames::FrameValue;
-use super::known_words::Known;
-use super::value::{Val, to_text, whole};
-use super::vars::{MOST_R, Slot};
-use super::vocabulary::{Meaning, Procedure, Refusal};
-use super::{Core, Outcome, Reported, Run};
+use super::line::Line;
+use super::measuring_data;
+use super::system::system_key;
+use super::system_meanings::{meaning_of, said_meaning};
+use super::tool_questions::named_tool;
+use super::value::{Val, r_index, to_text, whole};
+use super::vars::Slot;
+use super::vocabulary::Meaning;
+use super::{Outcome, Reported, Run};
 
 /// Longest text that a formula makes.
 const MOST_JOINED: usize = 800;
 
-/// Alarms of constants in texts.
-const BINARY_TOO_LARGE: u32 = 12220;
-const HEX_TOO_LARGE: u32 = 12230;
-
-/// A text with its constants as bytes; the place of one that is too large, and the alarm.
-fn resolved_text(text: &[u8]) -> Result<Cow<'_, [u8]>, (usize, u32)> {
+/// A text in quotes with its constants as bytes (`'H41'`, `'B1000001'`); where one is too large, its place and the fault.
+fn resolved_text(text: &[u8]) -> Result<Cow<'_, [u8]>, (usize, crate::diag::Fault)> {
     if !text.contains(&b'\'') {
         return Ok(Cow::Borrowed(text));
     }
@@ -44,7 +46,8 @@ fn resolved_text(text: &[u8]) -> Result<Cow<'_, [u8]>, (usize, u32)> {
             }
             Some((None, _)) => {
                 let binary = text.get(at + 1).is_some_and(|b| b.eq_ignore_ascii_case(&b'B'));
-                return Err((at, if binary { BINARY_TOO_LARGE } else { HEX_TOO_LARGE }));
+                let (what, alarm) = if binary { ("binary", 12220) } else { ("hexadecimal", 12230) };
+                return Err((at, codes::S2030::constant_in_text_is_larger_than_one(&what).alarm(alarm)));
             }
             None => {
                 made.push(byte);
@@ -92,10 +95,16 @@ impl Formulas for Run<'_> {
             Op::Int(n) => int_or_real(n),
             Op::Bool(b) => Val::Bool(b),
             Op::Char(c) => Val::Char(c),
-            Op::Text(span) => self.channel.core.text_value(span, at.text)?,
+            Op::Text(span) => match resolved_text(span.of(at.text)) {
+                Ok(bytes) => Val::text(&bytes),
+                Err((from, fault)) => {
+                    let constant = Span::at(span.start + from as u32, 1);
+                    return Ok(self.channel.core.refuse(constant, fault)?);
+                }
+            },
             Op::Missing => Val::Missing,
             Op::Name(name, span) => self.name_value(name, span)?,
-            Op::R(n, span) => self.r_value(n, span)?,
+            Op::R(n, span) => self.vars.r_value(n, &self.channel, span)?,
             Op::System(name, span) => self.channel.system_value(name, &[], span)?,
             Op::Index(base, count, span) => {
                 let value = self.indexed_value(base, machine.last(count), span)?;
@@ -118,7 +127,7 @@ impl Formulas for Run<'_> {
                 let value = machine.pop()?;
                 Val::Text(to_text(&value).ok_or(Fault::Misfit(value.what()))?.into())
             }
-            Op::Join => self.channel.core.joined(machine)?,
+            Op::Join => joined(machine)?,
             Op::Chain => match (machine.pop()?, machine.pop()?) {
                 (Val::Frame(b), Val::Frame(a)) => Val::Frame(Rc::new(a.chain(&b))),
                 (b, a) => return Err(Fault::Mismatch(a.what(), b.what()).into()),
@@ -131,129 +140,124 @@ impl Formulas for Run<'_> {
             [.., last, Op::Unary(Function::Negate)] | [.., last] => last,
             [] => return None,
         };
+        let core = &self.channel.core;
+        // As the block has it; one that was read as it stands in its file has its text there.
+        let written = |span: Span| {
+            let loc = core.loc(span);
+            let written = match span.of(at.text) {
+                [] if !core.here.rewritten => core.job.sources.bytes(loc.file, loc.span),
+                text => text.to_vec(),
+            };
+            readable(&written).trim().to_uppercase()
+        };
         Some(match *last {
             Op::R(n, _) => {
                 let never = self.vars.r(n).is_some_and(|(_, set)| !set);
                 let (name, nobody) = (format!("R{n}"), if never { SetBy::Nobody } else { SetBy::Unknown });
-                let set = if never { None } else { SetBy::of(&self.channel.core.job, &name, None) };
+                let set = if never { None } else { SetBy::of(&core.job, &name, None) };
                 Divisor { set: set.unwrap_or(nobody), name }
             }
-            Op::Name(name, span) => Divisor { name: self.written(span, at), set: self.set_to_zero(name) },
-            Op::System(_, span) | Op::Index(_, _, span) => {
-                Divisor { name: self.written(span, at), set: SetBy::Unknown }
-            }
+            Op::Name(name, span) => Divisor { name: written(span), set: self.vars.set_to_zero(name, core) },
+            Op::System(_, span) | Op::Index(_, _, span) => Divisor { name: written(span), set: SetBy::Unknown },
             _ => return None,
         })
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
+        let core = &self.channel.core;
+        let unset = &self.vars.said.unset;
         let found = match fault {
             Fault::Misfit(what) => codes::P2024::operator_does_not_fit(&what),
             Fault::Mismatch(a, b) => codes::P2024::values_do_not_go_together(&a, &b),
             Fault::Missing => codes::P2024::value_is_missing(),
             Fault::Said(found) => *found,
-            Fault::Zero(_) => return self.divided_by_zero(None, at),
-            Fault::ZeroBy(_, by) => return self.divided_by_zero(Some(&by), at),
+            Fault::Zero(_) => or_give_values(codes::P2022::division_by_zero(), unset),
+            // The divisor is a variable alone: it is named, and where it got its value.
+            Fault::ZeroBy(_, by) => {
+                let said = by.said(&core.job, core.here.origin.loc);
+                or_give_values(codes::P2022::division_by_zero_that(&said), unset)
+            }
             Fault::TooLargeInt => codes::P2022::result_is_too_large_for_int(),
             Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
                 codes::P2022::result_is_too_large().alarm(14051)
             }
         };
-        self.channel.core.say(at.span, found);
+        core.say(at.span, found);
         Reported
     }
 }
 
-impl Run<'_> {
-    /// Names the divisor where it is a variable alone, and where it got its value.
-    fn divided_by_zero(&self, by: Option<&Divisor>, at: At<'_>) -> Reported {
-        let mut fault = match by {
-            Some(by) => {
-                codes::P2022::division_by_zero_that(&by.said(&self.channel.core.job, self.channel.core.here.origin.loc))
-            }
-            None => codes::P2022::division_by_zero(),
-        };
-        if let [first, rest @ ..] = &self.warned.unset[..] {
-            let help = Answer::key("variables", first).help(codes::P2022::give_values_that_control_keeps());
-            fault = fault.help(rest.iter().fold(help, |help, name| help.and(Answer::key("variables", name))));
-        }
-        self.channel.core.say(at.span, fault);
-        Reported
-    }
-
-    /// As the block has it.
-    fn written(&self, span: Span, at: At<'_>) -> String {
-        let loc = self.channel.core.loc(span);
-        // A block that was read as it stands in its file has its text there.
-        let written = match span.of(at.text) {
-            [] if !self.channel.core.here.rewritten => self.channel.core.job.sources.bytes(loc.file, loc.span),
-            text => text.to_vec(),
-        };
-        readable(&written).trim().to_uppercase()
-    }
-
-    /// Who set the variable that is zero.
-    fn set_to_zero(&self, name: Symbol) -> SetBy {
-        let Some(slot) = self.vars.find(name) else { return SetBy::Unknown };
-        let own = matches!(slot, Slot::Local(_)).then_some(self.channel.core.here.origin.call);
-        let defined = self.vars.get(slot).map(|var| SetBy::Definition(var.defined));
-        let set = SetBy::of(&self.channel.core.job, self.channel.core.symbols.name(name), own);
-        match (set, slot) {
-            (Some(set), _) => set,
-            (None, Slot::Local(_)) if !self.channel.core.job.trail.has_returned() => defined.unwrap_or(SetBy::Unknown),
-            (None, _) => SetBy::Unknown,
-        }
-    }
+/// The control may keep other values in the variables that the formula has read and nothing has set.
+fn or_give_values(fault: crate::diag::Fault, unset: &[String]) -> crate::diag::Fault {
+    let [first, rest @ ..] = unset else { return fault };
+    let help = Answer::key("variables", first).help(codes::P2022::give_values_that_control_keeps());
+    fault.help(rest.iter().fold(help, |help, name| help.and(Answer::key("variables", name))))
 }
 
 impl Run<'_> {
     /// The value of a formula.
-    pub(super) fn eval(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Val> {
-        let ops = block.formula(formula);
+    pub(super) fn eval(&mut self, formula: Formula, line: Line<'_>) -> Outcome<Val> {
+        let ops = line.ops(formula);
         match ops {
             [Op::Int(n)] => return Ok(int_or_real(*n)),
             [Op::Real(v)] if v.is_finite() => return Ok(Val::Real(*v)),
             [] => return Ok(Val::Missing),
             _ => {}
         }
-        self.warned.unset.clear();
-        evaluate(self, ops, At { span: formula.span, text })
+        self.vars.said.unset.clear();
+        evaluate(self, ops, At { span: formula.span, text: line.text })
+    }
+
+    /// The values of formulas, in their order.
+    pub(super) fn values(&mut self, formulas: &[Formula], line: Line<'_>) -> Outcome<Vec<Val>> {
+        formulas.iter().map(|formula| self.eval(*formula, line)).collect()
     }
 
     /// The value of a formula as a number.
-    pub(super) fn number(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<f64> {
-        let value = self.eval(formula, block, text)?;
-        self.channel.core.as_number(&value, formula.span)
+    pub(super) fn number(&mut self, formula: Formula, line: Line<'_>) -> Outcome<f64> {
+        let value = self.eval(formula, line)?;
+        self.channel.core.accept(formula.span, value.as_number())
     }
 
-    /// The value of a formula as a condition.
-    pub(super) fn condition(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<bool> {
-        let value = self.eval(formula, block, text)?;
-        match value.truth() {
-            Some(truth) => Ok(truth),
-            None => self.channel.core.refuse(formula.span, codes::P2024::condition_is_needed(&value.what())),
-        }
+    /// The same as a whole number; `fault` is what any other is.
+    pub(super) fn whole_number(
+        &mut self,
+        formula: Formula,
+        line: Line<'_>,
+        fault: impl FnOnce() -> crate::diag::Fault,
+    ) -> Outcome<i32> {
+        let value = self.number(formula, line)?;
+        self.channel.core.accept(formula.span, whole(value).ok_or_else(fault))
     }
 
-    pub(super) fn r_value(&mut self, n: u32, span: Span) -> Outcome<Val> {
-        if n > MOST_R {
-            return self.channel.core.refuse(span, codes::S2018::there_is_no_parameter_r(&n));
+    /// The values of `SET(…)`, `(…)` or `REP(…)`; `None` for anything else.
+    pub(super) fn list_of(&mut self, formula: Formula, line: Line<'_>) -> Outcome<Option<Fill>> {
+        let (inner, repeats) = match line.ops(formula) {
+            [inner @ .., Op::List(_)] => (inner, false),
+            [inner @ .., Op::Call(name, _, _)] => match self.channel.core.symbols.name(*name) {
+                "SET" => (inner, false),
+                "REP" => (inner, true),
+                _ => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        // Values that stand one behind the other: what is left on the stack.
+        let mut wrapped = Block { ops: inner.to_vec(), ..Block::default() };
+        wrapped.ops.push(Op::List(depth(inner)));
+        let all = Formula { from: 0, to: wrapped.ops.len() as u32, span: formula.span };
+        let Val::List(list) = self.eval(all, Line { block: &wrapped, text: line.text })? else { return Err(Reported) };
+        if !repeats {
+            return Ok(Some(Fill::Set(list.to_vec())));
         }
-        self.r_is_own(n, span)?;
-        let (value, set) = self.vars.r(n).ok_or(Reported)?;
-        if !set {
-            self.warned.unset.push(format!("R{n}"));
+        let count = list.get(1).map(|value| value.number().and_then(whole).and_then(|n| usize::try_from(n).ok()));
+        match (list.first(), count) {
+            (_, Some(None)) => {
+                let fault = codes::S2017::rep_counts_elements_by_whole_number();
+                self.channel.core.refuse(formula.span, fault)
+            }
+            (Some(value), count) => Ok(Some(Fill::Repeat(value.clone(), count.flatten()))),
+            (None, _) => self.channel.core.refuse(formula.span, codes::S2017::rep_needs_value()),
         }
-        if !set && self.warned.r.insert(n) {
-            let found = codes::P2021::r_is_read_before_program_sets(&n).at(self.channel.core.loc(span));
-            self.channel.core.report(
-                found.help(
-                    Answer::key("variables", format!("R{n}"))
-                        .help(format!("set it in the program, or as `R{n} = …` under [variables]")),
-                ),
-            );
-        }
-        Ok(Val::Real(value))
     }
 
     fn name_value(&mut self, name: Symbol, span: Span) -> Outcome<Val> {
@@ -261,11 +265,11 @@ impl Run<'_> {
             return Ok(value);
         }
         if let Some(slot) = self.known_variable(name) {
-            return self.variable_value(slot, &[], span);
+            return self.vars.value(slot, &[], &self.channel, span);
         }
         let word = self.channel.core.symbols.name(name);
         if let Some(named) = self.channel.axis_names.find(word) {
-            self.channel.printed_axis(named, span)?;
+            self.channel.axis_names.printed(&self.channel.core, named, span)?;
             return Ok(Val::Axis(named));
         }
         if let Some(value) = constant(word) {
@@ -275,20 +279,36 @@ impl Run<'_> {
         if word.strip_prefix("AX").is_some_and(|n| n.parse::<u8>().is_ok_and(|n| (1..=31).contains(&n))) {
             return Ok(Val::text(word.as_bytes()));
         }
-        self.undefined(name, span)
+        self.channel.core.refuse(span, self.vars.undefined(name, &self.channel.core))
     }
 
-    /// A result of the measuring cycles: their own, where one is left out or no variable has the name.
+    /// A result of the measuring cycles: their own, where one is left out or no variable has the name. What the program wrote goes
+    /// before what `[variables]` says.
     fn found_by_cycle(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Option<Val>> {
         let word = self.channel.core.symbols.name(name);
-        if !word.starts_with('_') || super::measuring_data::find(word).is_none() {
-            return Ok(None);
-        }
+        let Some(result) = measuring_data::find(word).filter(|_| word.starts_with('_')) else { return Ok(None) };
         let word = word.to_owned();
-        if !self.is_found_by_cycle(&word) && self.known_variable(name).is_some() {
+        let left_out = result && self.channel.measured.cycle.is_some();
+        if !left_out && self.known_variable(name).is_some() {
             return Ok(None);
         }
-        self.measuring_value(&word, args, span)
+        let key = system_key(&word, args);
+        if let Some(value) = self.channel.st.system.get(&key) {
+            return Ok(Some(value.clone()));
+        }
+        if !result {
+            return Ok(None);
+        }
+        let Some(value) = self.channel.core.job.settings.variables.get(&key).copied() else {
+            let help = format!(
+                "give it under [variables]: \"{key}\" = value; the measuring cycles keep it in the global data of the control"
+            );
+            let help = Answer::variable(&key, meaning_of(&word, args).unwrap_or_default()).help(help);
+            let fault = codes::S9133::is_result_of_measuring_cycles(&key, &said_meaning(&word, args));
+            return self.channel.core.refuse(span, fault.help(help));
+        };
+        self.channel.measured.says_given(&self.channel.core, &key, value, true, span);
+        Ok(Some(Val::Real(value)))
     }
 
     /// A variable; the definition files are read when a name is not known otherwise.
@@ -304,216 +324,111 @@ impl Run<'_> {
         self.vars.find(name)
     }
 
-    /// A word that nothing is known of, or one of the language that is not compiled.
-    pub(super) fn undefined_word<T>(&mut self, name: Symbol, span: Span) -> Outcome<T> {
-        match self.meaning(name) {
-            Meaning::Known(known) => self.channel.core.not_compiled(name, known, span),
-            Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => self
-                .channel
-                .core
-                .refuse(span, codes::P9010::is_not_supported_so_replace(&self.channel.core.symbols.name(name), &what)),
-            _ => self.undefined(name, span),
-        }
-    }
-
-    /// A name that nothing is known of.
-    pub(super) fn undefined<T>(&self, name: Symbol, span: Span) -> Outcome<T> {
-        let word = self.channel.core.symbols.name(name);
-        if matches!(self.vocabulary.get(word), Some(Meaning::Indexed(_))) {
-            return self.channel.core.refuse(span, codes::P1001::lacks_axis_or_spindle_in_brackets(&word));
-        }
-        let names: Vec<&str> = self.vars.names().map(|symbol| self.channel.core.symbols.name(symbol)).collect();
-        let like = crate::machine::tree::did_you_mean(word, names);
-        let help = match like {
-            Some(like) => format!("did you mean `{like}`?").into(),
-            None if self.vars.in_main(name) => Answer::key("control", "md11120")
-                .one_of(&["true"])
-                .help("it is a variable of the main program; if subprograms see those, set `[control] md11120 = true`"),
-            None => Help::from("define it by DEF at the top of the program, or in a definition file beside it"),
-        };
-        if let Some(result) = super::measuring_data::find(word) {
-            return self.data_of_measuring(word, result, span);
-        }
-        // A variable of all programs is nothing like one of this program.
-        let files: Vec<String> = super::declare::DEFINITION_FILES.iter().map(|file| format!("{file}.DEF")).collect();
-        let help = help.and(Answer::folder_of(&files));
-        self.channel.core.refuse(span, codes::S2001::name_is_not_defined(&word).help(&help))
-    }
-
-    /// The control has these in its own definition files.
-    fn data_of_measuring<T>(&self, word: &str, result: bool, span: Span) -> Outcome<T> {
-        let what = if result { "a result" } else { "an argument" };
-        let help = if self.channel.core.job.settings.control.klartext_choices.probing_left_out {
-            "give it a value before the cycle that it is for".into()
-        } else {
-            super::measuring::leave_out()
-        };
-        self.channel.core.refuse(span, codes::S9133::is_of_measuring_cycles(&word, &what).help(help))
-    }
-
-    pub(super) fn variable_value(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
-        self.variable_is_own(slot, span)?;
-        self.warn_of_kept(slot, indices, span);
-        let Some(var) = self.vars.get(slot) else { return Err(Reported) };
-        if var.lost {
-            return Err(Reported);
-        }
-        match var.offset(indices) {
-            Some(at) => Ok(var.values[at].clone()),
-            None => self.channel.core.refuse(span, no_element(var.sizes.len(), &var.sizes, indices)),
-        }
-    }
-
     fn indexed_value(&mut self, base: Base, args: &[Val], span: Span) -> Outcome<Val> {
-        match base {
+        let core = &self.channel.core;
+        let slot = match base {
             Base::Letter(b'R') => {
-                let n = self.channel.core.r_index(args, span)?;
-                self.r_value(n, span)
+                let n = core.accept(span, r_index(args))?;
+                return self.vars.r_value(n, &self.channel, span);
             }
-            Base::Letter(letter) => match self.letter_variable(letter) {
-                Some(slot) => self.indexed_variable(slot, args, span),
-                None => self.channel.core.refuse(span, codes::P1001::has_no_index_here(&(letter as char))),
+            Base::Letter(letter) => match self.vars.letter(letter, &core.symbols) {
+                Some(slot) => slot,
+                None => return core.refuse(span, codes::P1001::has_no_index_here(&(letter as char))),
             },
-            Base::System(name) => self.channel.system_value(name, args, span),
+            Base::System(name) => return self.channel.system_value(name, args, span),
             Base::Name(name) => {
                 if let Some(value) = self.found_by_cycle(name, args, span)? {
                     return Ok(value);
                 }
-                let Some(slot) = self.known_variable(name) else { return self.undefined(name, span) };
-                self.indexed_variable(slot, args, span)
+                match self.known_variable(name) {
+                    Some(slot) => slot,
+                    None => return self.channel.core.refuse(span, self.vars.undefined(name, &self.channel.core)),
+                }
             }
-        }
-    }
-
-    fn indexed_variable(&mut self, slot: Slot, args: &[Val], span: Span) -> Outcome<Val> {
-        if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
-            self.warn_of_kept(slot, &[], span);
-            return self.channel.frame_component(&frame, args, span);
-        }
-        let indices = self.channel.core.indices(args, span)?;
-        self.element_or_character(slot, &indices, span)
-    }
-
-    /// `S[2]` of a text is its third character.
-    fn element_or_character(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
-        if let Some(var) = self.vars.get(slot)
-            && let ([index], [], Some(Val::Text(text))) = (indices, var.sizes.as_slice(), var.values.first())
-        {
-            let found = usize::try_from(*index).ok().and_then(|at| text.get(at)).copied();
-            self.warn_of_kept(slot, &[], span);
-            return match found {
-                Some(c) => Ok(Val::Char(c)),
-                None => self.channel.core.refuse(span, codes::S2018::text_has_no_character(&index)),
-            };
-        }
-        self.variable_value(slot, indices, span)
+        };
+        self.vars.indexed(slot, args, &self.channel, span)
     }
 
     fn function_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
-        if self.channel.core.symbols.name(name) == "GETT" {
-            return self.number_of_named_tool(args, span);
+        let word = self.channel.core.symbols.name(name);
+        if word == "GETT" {
+            let named = self.channel.core.accept(span, named_tool(args))?;
+            let number = match self.channel.st.system.tool_named(&named) {
+                Some(number) => number,
+                None => self.channel.tool_by_name(&named, span)?,
+            };
+            return Ok(Val::Int(i32::try_from(number).unwrap_or(0)));
         }
-        let Some((word, function)) = formula_functions::find(self.channel.core.symbols.name(name)) else {
-            if !matches!(self.meaning(name), Meaning::Unknown) {
-                return self.undefined_word(name, span);
-            }
-            return self
-                .channel
-                .core
-                .refuse(span, codes::S2001::there_is_no_function(&self.channel.core.symbols.name(name)));
+        let Some((word, function)) = formula_functions::find(word) else {
+            let fault = match self.names.meaning(name, &self.channel) {
+                Meaning::Unknown => codes::S2001::there_is_no_function(&self.channel.core.symbols.name(name)),
+                _ => self.names.misused(name, &self.vars, &self.channel),
+            };
+            return self.channel.core.refuse(span, fault);
         };
         let args = if args == [Val::Missing] { &[] } else { args };
         let made = match function {
-            FormulaFunction::Program => return self.program_function(word, args, span),
+            FormulaFunction::Program if matches!(word, "ISVAR" | "ISFILE") => {
+                let core = &mut self.channel.core;
+                let wanted = core.accept(span, asked_name(word, args))?;
+                let there = if word == "ISFILE" {
+                    let there = self.units.is_file(core, &wanted);
+                    core.accept(span, there.map_err(|error| codes::P0105::file_cannot_be_read(&error)))?
+                } else {
+                    self.vars.is_known(&wanted, &mut core.symbols)
+                };
+                return Ok(Val::Bool(there));
+            }
+            FormulaFunction::Program if word == "AXNAME" => return self.channel.axis_of_text(args, span),
+            FormulaFunction::Program => {
+                let st = &self.channel.st;
+                return self.channel.core.accept(span, frame_function(word, args, st.feed_unit(), st.roles()[2]));
+            }
             FormulaFunction::Plain(function) => function(args),
             FormulaFunction::Number(f) => formula_functions::number(f, args),
         };
-        let error = match made {
-            Ok(value) => {
-                if matches!(word, "ROUND" | "RTOI")
-                    && let (Some(from), Some(made)) = (args.first().and_then(Val::number), value.number())
-                {
-                    self.channel.core.says_negative_half(from, made, span);
-                }
-                return Ok(value);
-            }
-            Err(error) => error,
-        };
-        match error {
-            NoResult::Count(takes) => self.channel.core.refuse(span, codes::S2021::takes(&word, &takes)),
-            NoResult::Type => self.channel.core.refuse(span, codes::P2024::does_not_take_value_of_this_type(&word)),
-            NoResult::Domain(why) => {
-                let alarm = match word {
-                    "SPRINT" => 14065,
-                    "RTOI" | "BTOI" => 14096,
-                    "AXNAME" => 14097,
-                    "NUMBER" => 14098,
-                    _ => 14051,
-                };
-                self.channel.core.refuse(span, codes::P2022::formula_has_no_value(&word, &why).alarm(alarm))
-            }
+        if let (Ok(value), Some(from), "ROUND" | "RTOI") = (&made, args.first(), word) {
+            says_negative_half(from, value, &self.channel.core, span);
         }
+        self.channel.core.accept(span, made.map_err(|error| error.fault(word)))
     }
 }
 
-impl Core<'_> {
-    pub(super) fn as_number(&self, value: &Val, span: Span) -> Outcome<f64> {
-        match value.number() {
-            Some(v) if v.is_finite() => Ok(v),
-            Some(_) => self.refuse(span, codes::P2022::value_is_infinite()),
-            None => self.refuse(span, codes::P2024::number_is_needed(&value.what())),
-        }
+/// What ISVAR and ISFILE ask for.
+fn asked_name(function: &str, args: &[Val]) -> Result<String, crate::diag::Fault> {
+    let [Val::Text(text)] = args else { return Err(codes::S2021::takes_text(&function)) };
+    let wanted = String::from_utf8_lossy(text).into_owned();
+    if function == "ISVAR" && wanted.trim_start().starts_with('$') {
+        return Err(codes::P2023::whether_control_has_is_known_on_machine(&wanted));
     }
+    Ok(wanted)
+}
 
-    /// A text in quotes. Bytes stand in it as `'H41'` or `'B1000001'`, too.
-    fn text_value(&self, span: Span, text: &[u8]) -> Outcome<Val> {
-        match resolved_text(span.of(text)) {
-            Ok(bytes) => Ok(Val::text(&bytes)),
-            Err((at, alarm)) => {
-                let what = if alarm == BINARY_TOO_LARGE { "binary" } else { "hexadecimal" };
-                let span = Span::at(span.start + at as u32, 1);
-                self.refuse(span, codes::S2030::constant_in_text_is_larger_than_one(&what).alarm(alarm))
-            }
-        }
-    }
-
-    pub(super) fn not_compiled<T>(&self, name: Symbol, known: &Known, span: Span) -> Outcome<T> {
-        self.refuse(span, codes::S9132::is_not_compiled(&self.symbols.name(name), &known.what).help(known.help))
-    }
-
-    /// Indices of an array, as whole numbers.
-    pub(super) fn indices(&self, args: &[Val], span: Span) -> Outcome<Vec<i32>> {
-        args.iter().map(|value| self.index(value, span)).collect()
-    }
-
-    fn index(&self, value: &Val, span: Span) -> Outcome<i32> {
-        let fault = || codes::S2018::index_is_whole_number_this_is(&value.what());
-        value.number().and_then(whole).map_or_else(|| self.refuse(span, fault()), Ok)
-    }
-
-    pub(super) fn r_index(&self, args: &[Val], span: Span) -> Outcome<u32> {
-        let [index] = args else {
-            self.indices(args, span)?;
-            return self.refuse(span, codes::S2018::r_parameter_has_one_index());
+/// How many values postfix operations leave.
+fn depth(ops: &[Op]) -> u32 {
+    let mut depth = 0u32;
+    for op in ops {
+        let used = match op {
+            Op::Index(_, n, _) | Op::Call(_, n, _) | Op::List(n) => *n,
+            Op::Unary(_) | Op::ToText => 1,
+            Op::Binary(_) | Op::Join | Op::Chain => 2,
+            _ => 0,
         };
-        let index = self.index(index, span)?;
-        match u32::try_from(index) {
-            Ok(n) if n <= MOST_R => Ok(n),
-            _ => self.refuse(span, codes::S2018::there_is_no_parameter_r(&index)),
-        }
+        depth = (depth + 1).saturating_sub(used);
     }
+    depth
+}
 
-    fn joined(&self, machine: &mut Machine) -> Result<Val, Stop> {
-        let (b, a) = (machine.pop()?, machine.pop()?);
-        let (Some(mut text), Some(rest)) = (to_text(&a), to_text(&b)) else {
-            return Err(Fault::Mismatch(a.what(), b.what()).into());
-        };
-        text.extend_from_slice(&rest);
-        if text.len() > MOST_JOINED {
-            return Err(codes::S2030::joined_text_is_too_long().into());
-        }
-        Ok(Val::Text(text.into()))
+fn joined(machine: &mut Machine) -> Result<Val, Stop> {
+    let (b, a) = (machine.pop()?, machine.pop()?);
+    let (Some(mut text), Some(rest)) = (to_text(&a), to_text(&b)) else {
+        return Err(Fault::Mismatch(a.what(), b.what()).into());
+    };
+    text.extend_from_slice(&rest);
+    if text.len() > MOST_JOINED {
+        return Err(codes::S2030::joined_text_is_too_long().into());
     }
+    Ok(Val::Text(text.into()))
 }
 
 fn int_or_real(n: i64) -> Val {
@@ -523,12 +438,4 @@ fn int_or_real(n: i64) -> Val {
 /// Names of frame components, as texts; they are words in `[X,TR]` only.
 fn constant(name: &str) -> Option<Val> {
     matches!(name, "TR" | "FI" | "RT" | "SC" | "MI").then(|| Val::text(name.as_bytes()))
-}
-
-fn no_element(dimensions: usize, sizes: &[u32], indices: &[i32]) -> crate::diag::Fault {
-    match (dimensions, indices) {
-        (0, _) => codes::S2018::variable_is_no_array(),
-        (n, indices) if n != indices.len() => codes::S2018::array_has_indices(&n, &indices.len()),
-        _ => codes::S2018::array_has_no_element(&format_args!("{indices:?}"), &format_args!("{sizes:?}")),
-    }
 }

@@ -7,9 +7,9 @@ use crate::parser::sinumerik::ast::{Block, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Loc;
 
-use super::calls::FrameKind;
+use super::levels::{self, FrameKind};
 use super::value::type_name;
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported};
 
 /// A parameter as far as EXTERN tells it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,7 @@ struct Parameter {
 
 /// An EXTERN line.
 #[derive(Debug)]
-pub(super) struct Extern {
+struct Extern {
     /// The program in which it stands.
     unit: usize,
     name: Symbol,
@@ -57,44 +57,41 @@ fn difference(said: &[Parameter], is: &[Parameter]) -> Option<String> {
     Some(format!("parameter {} is {} here and {} in PROC", at + 1, said[at].shown(), is[at].shown()))
 }
 
-impl Run<'_> {
-    pub(super) fn extern_block(&mut self, name: Symbol, block: &Block) -> Outcome {
-        self.channel.core.program_level().declares = true;
-        let (unit, loc) = (self.unit(), self.channel.core.loc(block.span));
+/// The EXTERN lines that ran.
+#[derive(Debug, Default)]
+pub(super) struct Externs(Vec<Extern>);
+
+impl Externs {
+    /// EXTERN in the program that runs.
+    pub fn declare(&mut self, core: &mut Core<'_>, name: Symbol, block: &Block) -> Outcome {
+        levels::program(&mut core.levels).declares = true;
+        let (unit, loc) = (levels::unit(&core.levels), core.loc(block.span));
         let parameters: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
-        let Some(first) = self.externs.iter().find(|known| known.unit == unit && known.name == name) else {
-            self.externs.push(Extern { unit, name, parameters, loc, told: false });
+        let Some(first) = self.0.iter().find(|known| known.unit == unit && known.name == name) else {
+            self.0.push(Extern { unit, name, parameters, loc, told: false });
             return Ok(());
         };
         if first.parameters == parameters {
             return Ok(());
         }
-        let found = codes::S2021::is_declared_second_time_with_other_parameters(&self.channel.core.symbols.name(name))
-            .at(loc)
-            .also(first.loc, Label::FirstDeclaration);
-        self.channel.core.report(found.help("delete one of the two lines"));
+        let found = codes::S2021::is_declared_second_time_with_other_parameters(&core.symbols.name(name));
+        let found = found.at(loc).also(first.loc, Label::FirstDeclaration);
+        core.report(found.help("delete one of the two lines"));
         Err(Reported)
     }
 
-    /// Holds the EXTERN line of the calling program against the PROC that runs now.
-    pub(super) fn check_extern(&mut self, block: &Block) {
-        let at =
-            self.channel.core.levels.iter().rposition(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
-        let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| self.channel.core.levels.get(at)) else {
-            return;
-        };
-        let name = self.units.list[self.unit()].name.as_str();
-        let symbols = &self.channel.core.symbols;
-        let known =
-            self.externs.iter_mut().find(|known| known.unit == caller.frame.unit && symbols.name(known.name) == name);
+    /// Holds the EXTERN line of the calling program against the PROC of `name`, which runs now.
+    pub fn check(&mut self, core: &Core<'_>, name: &str, block: &Block) {
+        let at = core.levels.iter().rposition(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
+        let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| core.levels.get(at)) else { return };
+        let symbols = &core.symbols;
+        let known = self.0.iter_mut().find(|known| known.unit == caller.frame.unit && symbols.name(known.name) == name);
         let Some(known) = known.filter(|known| !known.told) else { return };
         let is: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
         let Some(what) = difference(&known.parameters, &is) else { return };
         known.told = true;
         let found = codes::S2021::extern_does_not_fit_program(&name, &what).at(known.loc);
-        let found = found
-            .also(self.channel.core.loc(block.span), Label::ItsProc)
-            .help("write the types of PROC into the EXTERN line");
-        self.channel.core.report(found);
+        let found = found.also(core.loc(block.span), Label::ItsProc);
+        core.report(found.help("write the types of PROC into the EXTERN line"));
     }
 }

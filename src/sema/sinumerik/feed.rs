@@ -5,12 +5,13 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Answer, Help, Label, codes};
-use crate::ir::Feed;
+use crate::ir::{Feed, Side};
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
 use crate::text::{Loc, Span};
 
 use super::g_groups::{GCode, Group};
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
 use super::{Channel, Core, Outcome, Reported};
@@ -110,31 +111,74 @@ impl FeedState {
     pub fn take_kind_open(&mut self) -> bool {
         std::mem::take(&mut self.kind_open)
     }
-}
 
-impl Channel<'_> {
     /// Says once that F counts per minute because no block says otherwise.
-    pub(super) fn feed_kind_is_said(&mut self) {
-        if !self.st.feed.take_kind_open() {
+    pub fn say_kind(&mut self, core: &Core<'_>) {
+        if !self.take_kind_open() {
             return;
         }
-        let found = codes::S8045::no_block_says_what_f_counts().at(self.core.loc(Where::Block));
-        self.core.report(
+        let found = codes::S8045::no_block_says_what_f_counts().at(core.loc(Where::Block));
+        core.report(
             found.help(
                 Answer::key("control", "md20150").help("program G94 or G95, or set `[control] md20150 = \"g95\"`"),
             ),
         );
     }
 
-    /// Says once that nothing turns the spindle that a feed per revolution waits for.
-    fn spindle_feeds(&self) {
-        if self.st.spindles.turn().is_none() && !self.is_capturing() && self.core.job.diags.first_time(codes::S8047, ())
-        {
-            let found = codes::S8047::no_block_in_front_of_this_feed().at(self.core.loc(Where::Block));
-            self.core.report(found.help(self.or_started_by_call("program M3 or M4 with a speed before it".into())));
+    /// The first cut after a call that is left out takes the feed of before the call.
+    fn say_left(&mut self, core: &Core<'_>) {
+        let Some(left) = self.left.take() else { return };
+        let name = &left.name;
+        let message = format!("this cut takes the feed of before {name}, which is left out and may leave another one");
+        if !core.job.diags.first_text(codes::S8171, &message) {
+            return;
         }
+        let help = format!(
+            "program F after {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
+        );
+        let found =
+            codes::S8171::this_cut_takes_feed_of_before(&name).at(core.loc(Where::Block)).also(left.call, Label::Call);
+        core.report(found.help(help));
     }
 
+    /// What to do where none is programmed.
+    fn help_of_missing(&self) -> Help {
+        match &self.left {
+            Some(left) if left.lost => Help::from(format!(
+                "program F after {} in line {}, which leaves a feed that is not known, as `[programs]` says",
+                left.name, left.call.line
+            )),
+            _ => Answer::key("control", "feed").help(
+                "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
+            ),
+        }
+    }
+}
+
+impl State {
+    pub(super) fn feed_code(&mut self, core: &Core<'_>, code: GCode, span: Span) -> Outcome {
+        let old = self.codes.of(Group::FeedType);
+        use GCode as G;
+        if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
+            return core.refuse(span, codes::S9009::gives_feeds_that_plain_g_code_cannot(&code.word()));
+        }
+        if code.holds_cutting_speed() && core.job.settings.machine.diameter_axis.is_none() {
+            return core.refuse(
+                span,
+                codes::S2060::constant_cutting_speed_needs_diameter_axis()
+                    .answer(Answer::key("machine", "diameter_axis")),
+            );
+        }
+        self.codes.activate(code);
+        self.feed.kind_is_said();
+        if old != code {
+            self.feed_mode_changed();
+        }
+        Ok(())
+    }
+}
+
+impl Channel<'_> {
     /// The feed of a straight path block; `None` at rapid traverse.
     pub(super) fn path_feed(&mut self, w: &mut Words, rapid: bool) -> Outcome<Option<Feed>> {
         if rapid {
@@ -146,16 +190,16 @@ impl Channel<'_> {
 
     /// The feed of a path block that cuts.
     pub(super) fn cutting_feed(&mut self, w: &mut Words) -> Outcome<Feed> {
-        if self.st.is(GCode::G93) && !self.is_capturing() {
-            self.time_of_block(w)?;
+        if self.st.is(GCode::G93) && self.capture.is_none() {
+            time_of_block(&self.core, self.st.side(), w)?;
         }
         if let Some(fb) = self.core.block_feed(w)? {
             if self.st.codes.per_revolution() {
-                self.master_feeds(fb.span);
+                self.st.master_feeds(&self.core, fb.span);
             }
             return Ok(self.st.feed_of(fb.value));
         }
-        if self.is_capturing() {
+        if self.capture.is_some() {
             // Nothing moves along a contour that is read; the cycle that takes it has the feeds.
             return Ok(self.st.feed.word().unwrap_or(Feed::PerRevolution(1.0)));
         }
@@ -167,19 +211,26 @@ impl Channel<'_> {
         // The alarm waits for a feed move of the geometry axes; a feed in degrees per minute needs no spindle.
         let waits = rotary_only && !matches!(self.st.feed.word(), Some(Feed::PerRevolution(_)));
         if !waits && self.st.spindles.close_cut_speed() {
-            let help = self.or_left_at_rapid("program S in m/min with G96; the S of before is a speed in turns".into());
+            let help = self.left.or_left_at_rapid(
+                self.core.job.settings,
+                "program S in m/min with G96; the S of before is a speed in turns".into(),
+            );
             return self.core.refuse(Where::Block, codes::S2045::g96_has_no_cutting_speed().help(help));
         }
         if self.st.spindles.is_cutting() {
-            self.says_shifted_diameter();
+            says_shifted_diameter(&self.core, &self.st);
         }
         match self.st.feed.word() {
             Some(feed) => {
-                self.feed_kind_is_said();
-                self.says_feed_of_before();
+                self.st.feed.say_kind(&self.core);
+                self.st.feed.say_left(&self.core);
                 if matches!(feed, Feed::PerRevolution(_)) {
-                    self.master_feeds(Where::Block);
-                    self.spindle_feeds();
+                    self.st.master_feeds(&self.core, Where::Block);
+                    if self.st.spindles.turn().is_none() && self.core.job.diags.first_time(codes::S8047, ()) {
+                        let help = "program M3 or M4 with a speed before it".into();
+                        let found = codes::S8047::no_block_in_front_of_this_feed().at(self.core.loc(Where::Block));
+                        self.core.report(found.help(self.left.or_started_by_call(self.core.job.settings, help)));
+                    }
                 }
                 if rotary_only && let Feed::PerMinute(f) = feed {
                     // Degrees have no unit of length.
@@ -190,91 +241,13 @@ impl Channel<'_> {
             None => {
                 // Once is enough.
                 self.st.feed.lose();
-                let help = self.help_of_missing_feed();
+                let help = match self.measured.help_of_feed() {
+                    Some(help) => help,
+                    None => self.left.or_left_at_rapid(self.core.job.settings, self.st.feed.help_of_missing()),
+                };
                 self.core.refuse(Where::Block, codes::P2002::no_feed_is_programmed().help(help))
             }
         }
-    }
-
-    fn help_of_missing_feed(&self) -> Help {
-        let help = match &self.st.feed.left {
-            Some(left) if left.lost => Help::from(format!(
-                "program F after {} in line {}, which leaves a feed that is not known, as `[programs]` says",
-                left.name, left.call.line
-            )),
-            _ => Answer::key("control", "feed").help(
-                "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
-            ),
-        };
-        match self.feed_of_measuring() {
-            Some(help) => help.into(),
-            None => self.or_left_at_rapid(help),
-        }
-    }
-
-    /// The first cut after a call that is left out takes the feed of before the call.
-    fn says_feed_of_before(&mut self) {
-        if self.is_capturing() {
-            return;
-        }
-        let Some(left) = self.st.feed.left.take() else { return };
-        let name = &left.name;
-        let message = format!("this cut takes the feed of before {name}, which is left out and may leave another one");
-        if !self.core.job.diags.first_text(codes::S8171, &message) {
-            return;
-        }
-        let help = format!(
-            "program F after {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
-        );
-        let found = codes::S8171::this_cut_takes_feed_of_before(&name)
-            .at(self.core.loc(Where::Block))
-            .also(left.call, Label::Call);
-        self.core.report(found.help(help));
-    }
-
-    /// G96 of the target takes the diameter that is printed, with the shift of the frame in it.
-    fn says_shifted_diameter(&self) {
-        let axis = self.core.job.settings.machine.diameter_axis;
-        let shift = axis.map_or(0.0, |axis| self.st.ctx.frame.shift_of(axis));
-        if shift == 0.0
-            || self.st.spindles.keeps_speed()
-            || !self.core.job.diags.first_time(codes::S8191, shift.to_bits())
-        {
-            return;
-        }
-        self.core.report(codes::S8191::under_g96_frame_shifts_diameter_axis(&shift).at(self.core.loc(Where::Block)));
-    }
-
-    /// Under G93 F is the time of its own block, which no other block has.
-    fn time_of_block(&self, w: &Words) -> Outcome {
-        if self.st.side() != crate::ir::Side::None {
-            return self.core.refuse(Where::Block, codes::S9009::time_under_compensation_is_of_target());
-        }
-        if w.feed_given || w.get(Address::Fb).is_some() {
-            return Ok(());
-        }
-        self.core.refuse(Where::Block, codes::P2002::under_g93_block_has_no_f())
-    }
-
-    pub(super) fn feed_code(&mut self, code: GCode, span: Span) -> Outcome {
-        let old = self.st.codes.of(Group::FeedType);
-        use GCode as G;
-        if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
-            return self.core.refuse(span, codes::S9009::gives_feeds_that_plain_g_code_cannot(&code.word()));
-        }
-        if code.holds_cutting_speed() && self.core.job.settings.machine.diameter_axis.is_none() {
-            return self.core.refuse(
-                span,
-                codes::S2060::constant_cutting_speed_needs_diameter_axis()
-                    .answer(Answer::key("machine", "diameter_axis")),
-            );
-        }
-        self.st.codes.activate(code);
-        self.st.feed.kind_is_said();
-        if old != code {
-            self.st.feed_mode_changed();
-        }
-        Ok(())
     }
 }
 
@@ -286,4 +259,25 @@ impl Core<'_> {
             fb => Ok(fb),
         }
     }
+}
+
+/// G96 of the target takes the diameter that is printed, with the shift of the frame in it.
+fn says_shifted_diameter(core: &Core<'_>, st: &State) {
+    let axis = core.job.settings.machine.diameter_axis;
+    let shift = axis.map_or(0.0, |axis| st.ctx.frame.shift_of(axis));
+    if shift == 0.0 || st.spindles.keeps_speed() || !core.job.diags.first_time(codes::S8191, shift.to_bits()) {
+        return;
+    }
+    core.report(codes::S8191::under_g96_frame_shifts_diameter_axis(&shift).at(core.loc(Where::Block)));
+}
+
+/// Under G93 F is the time of its own block, which no other block has.
+fn time_of_block(core: &Core<'_>, side: Side, w: &Words) -> Outcome {
+    if side != Side::None {
+        return core.refuse(Where::Block, codes::S9009::time_under_compensation_is_of_target());
+    }
+    if w.feed_given || w.get(Address::Fb).is_some() {
+        return Ok(());
+    }
+    core.refuse(Where::Block, codes::P2002::under_g93_block_has_no_f())
 }

@@ -4,6 +4,7 @@
 
 use std::borrow::Cow;
 
+use crate::diag::codes;
 use crate::geo::Deg;
 use crate::lexer::formula::Function;
 use crate::sema::value::Fault;
@@ -22,6 +23,26 @@ pub(super) enum NoResult {
 }
 
 use NoResult::{Count, Domain, Type};
+
+impl NoResult {
+    /// What is wrong with the call of `name`.
+    pub(super) fn fault(&self, name: &str) -> crate::diag::Fault {
+        match self {
+            Count(takes) => codes::S2021::takes(&name, takes),
+            Type => codes::P2024::does_not_take_value_of_this_type(&name),
+            Domain(why) => {
+                let alarm = match name {
+                    "SPRINT" => 14065,
+                    "RTOI" | "BTOI" => 14096,
+                    "AXNAME" => 14097,
+                    "NUMBER" => 14098,
+                    _ => 14051,
+                };
+                codes::P2022::formula_has_no_value(&name, why).alarm(alarm)
+            }
+        }
+    }
+}
 
 type Made = Result<Val, NoResult>;
 

@@ -11,7 +11,36 @@ use super::g_groups::{GCode, Group};
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
 
+/// Is one of its codes the whole block?
+pub(super) enum Whole {
+    No,
+    Done,
+    /// A code of group 2, which may have moved the tool as a block of moves does.
+    Nonmodal {
+        moved: bool,
+    },
+}
+
 impl Channel<'_> {
+    /// Carries out the codes of a block.
+    pub(super) fn codes_of_block(&mut self, w: &mut Words) -> Outcome<Whole> {
+        if w.codes.is_empty() && w.diameter.is_none() && w.dynamics.is_none() && !w.smoothing.is_given() {
+            return Ok(Whole::No);
+        }
+        self.core.check_codes(w)?;
+        self.modal_codes(w)?;
+        if let Some((code, span)) = w.code_of(Group::Nonmodal) {
+            return self.nonmodal_block(code, span, w).map(|moved| Whole::Nonmodal { moved });
+        }
+        if let Some((code, span)) = w.code_of(Group::Frame) {
+            return self.frame_block(code, span, w).map(|()| Whole::Done);
+        }
+        if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
+            return self.buffer_code(code, span, w).map(|()| Whole::Done);
+        }
+        Ok(Whole::No)
+    }
+
     /// The codes that hold on.
     pub(super) fn modal_codes(&mut self, w: &Words) -> Outcome {
         for at in 0..w.codes.len() {
@@ -19,12 +48,13 @@ impl Channel<'_> {
             self.modal_code(code, span)?;
         }
         if let Some((indexed, axis, span)) = w.diameter {
-            self.axis_diameter(indexed, axis, span)?;
+            self.st.select_diameter(&self.core, indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
-            self.core.dynamics_are_left_out(span);
+            self.core.say_once(span, codes::S8002::words_that_only_shape_speed());
         }
-        self.smoothing_words(w);
+        self.st.smoothing.program(&self.core, &self.st.codes, w);
+        self.send_smoothing();
         Ok(())
     }
 
@@ -32,30 +62,35 @@ impl Channel<'_> {
         let old = self.st.codes.of(code.group);
         match code.group {
             Group::Motion => {
-                self.core.check_interpolation(code, span)?;
+                self.core.accept(span, code.can_be_printed())?;
                 self.st.codes.activate(code);
-                self.motion_left = None;
+                self.left.motion = None;
             }
             Group::Nonmodal | Group::Frame | Group::Suppression => {}
             Group::ExactStopBlock => {}
             Group::ExactStop => self.st.codes.activate(code),
-            Group::RepositioningPointBlock => self.core.left_out_code(code, span),
+            Group::RepositioningPointBlock => {
+                self.core.say_once(span, codes::S8103::words_that_only_steer_control());
+            }
             Group::Plane => {
                 self.st.codes.activate(code);
                 if old != code {
                     self.plane_change(code, span)?;
                 }
             }
-            Group::Compensation => self.compensation_code(code, span)?,
+            Group::Compensation => {
+                let st = &mut self.st;
+                st.compensation.select(&self.core, &mut st.codes, st.path.is_computed(), code, span)?;
+            }
             Group::WorkOffset => self.work_offset(code.index, span)?,
-            Group::FeedType => self.feed_code(code, span)?,
+            Group::FeedType => self.st.feed_code(&self.core, code, span)?,
             Group::Diameter => {
                 if code != GCode::DIAMOF && self.core.job.settings.machine.diameter_axis.is_none() {
                     return self.core.no_diameter_axis(span);
                 }
                 // DIAMCYCOF counts inside of cycles only.
                 if code == GCode::DIAMCYCOF {
-                    self.core.control_words_are_left_out(span);
+                    self.core.say_once(span, codes::S8103::words_that_only_steer_control());
                 } else {
                     self.st.codes.activate(code);
                     if let Some(stored) = self.st.stored.as_mut() {
@@ -66,7 +101,11 @@ impl Channel<'_> {
             }
             _ => {
                 self.refused_code(code, span)?;
-                self.core.left_out_code(code, span);
+                let curve_feed = self.core.job.settings.control.sinumerik.compensation.curve_feed;
+                // Other blocks ask for the rest where it counts.
+                if let Some(said) = code.left_out(self.core.resolves(), curve_feed) {
+                    said.say(&self.core, span);
+                }
                 self.st.codes.activate(code);
             }
         }

@@ -2,6 +2,7 @@
 //!
 //! Source: SINUMERIK, "Programming", list of G groups; the internal indices as `$P_GG` returns them.
 
+use crate::ir::Side;
 use crate::machine::{MachineKind, Settings, Unit};
 
 /// A G group. The value is its number on the control.
@@ -182,6 +183,15 @@ pub(super) struct ActiveCodes {
 const NUMBERS: usize = 65;
 
 impl ActiveCodes {
+    /// The side of the radius compensation.
+    pub fn side(&self) -> Side {
+        match self.of(Group::Compensation) {
+            GCode::G41 => Side::Left,
+            GCode::G42 => Side::Right,
+            _ => Side::None,
+        }
+    }
+
     /// What is in force before the first block.
     pub fn at_start(settings: &Settings) -> ActiveCodes {
         let mut codes = ActiveCodes { active: [0; NUMBERS] };

@@ -7,15 +7,17 @@ use std::rc::Rc;
 use crate::diag::codes;
 use crate::ir::Feed;
 use crate::ir::function::Turn;
-use crate::machine::Axis;
+use crate::machine::{Axis, Settings};
 use crate::text::Span;
 
 use super::diameter::Diameter;
 use super::frames::FrameValue;
-use super::offsets::{Outer, offset_word};
+use super::g_groups::ActiveCodes;
+use super::offsets::Outer;
 use super::rotary::reduced;
 use super::state::State;
 use super::system::system_key;
+use super::tool_questions::told_of_tool;
 use super::value::{Val, whole};
 use super::{Channel, Core, Outcome, Reported};
 
@@ -54,64 +56,49 @@ impl State {
         let (tool, edge) = (self.tool.active()?, self.tool.edge_or_first());
         self.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
     }
+
+    /// Data of tools and edges that the program did not write: of `[tools]`, or of the edge it wrote them for.
+    fn tool_value(&self, settings: &Settings, word: &str, args: &[Val]) -> Option<Val> {
+        let is_written = || self.system.is_written(&system_key(word, args));
+        match word {
+            "$TC_DP2" | "$TC_DP3" | "$TC_DP6" | "$TC_DP7" | "$TC_DP12" | "$TC_DP15" | "$P_AD" | "$P_TOOLL"
+                if !is_written() =>
+            {
+                if let Some(written) = self.written_parameter(word, args) {
+                    return Some(written);
+                }
+                let is_number = word == "$TC_DP2" || word == "$P_AD" && args.first().and_then(Val::number) == Some(2.0);
+                let value = self.table_value(settings, word, args)?;
+                Some(if is_number { Val::Int(value as i32) } else { Val::Real(value / self.feed_unit()) })
+            }
+            "$TC_TP2" | "$P_TOOLEXIST" if !is_written() => told_of_tool(&settings.tools, word, args),
+            "$P_TOOLR" => self.known_radius(settings).map(|radius| Val::Real(radius / self.feed_unit())),
+            _ => None,
+        }
+    }
 }
 
 impl Channel<'_> {
     /// The value of `$NAME[args]`, if the program or `[tools]` determine it.
     pub(super) fn known_value(&mut self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
         match word {
-            "$P_AD" | "$P_TOOLL" | "$P_TOOLR" if self.edge_was_rewritten() => {
+            "$P_AD" | "$P_TOOLL" | "$P_TOOLR" if self.st.tool.is_rewritten() => {
                 let number = self.st.tool.active().unwrap_or(0);
-                self.edge_is_as_selected(number, self.st.tool.edge_or_first(), span)?;
+                self.st.tool.is_as_selected(&self.core, number, self.st.tool.edge_or_first(), span)?;
                 Ok(None)
             }
-            "$P_S" if self.speed_lost.is_some() => {
-                self.left_speed_is_known("this reads the speed")?;
+            "$P_S" if self.left.speed.is_some() => {
+                self.left.speed_is_known(&self.core, self.capture.is_some(), "this reads the speed")?;
                 Ok(None)
             }
-            "$P_EP" | "$AA_IW" => self.end_position(word, args, span),
-            "$P_GG" => self.code_in_force(args, span).map(Some),
+            "$P_EP" | "$AA_IW" => end_position(&self.core, &self.st, word, args, span),
+            "$P_GG" => code_in_force(&self.core, &self.st.codes, args, span).map(Some),
             "$P_PFRAME" | "$P_IFRAME" | "$P_UIFR" => self.known_frame(word, args, span),
             _ => Ok(self
                 .st
                 .set_by_words(word, args)
-                .or_else(|| self.tool_value(word, args))
+                .or_else(|| self.st.tool_value(self.core.job.settings, word, args))
                 .or_else(|| self.value_of_run(word, args))),
-        }
-    }
-
-    fn end_position(&self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
-        let [Val::Axis(named)] = args else {
-            return self.core.refuse(span, codes::S2031::needs_axis(&word));
-        };
-        named.axis.map(|axis| self.position_value(axis, span).map(Val::Real)).transpose()
-    }
-
-    fn code_in_force(&self, args: &[Val], span: Span) -> Outcome<Val> {
-        let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-        match group.and_then(|group| self.st.codes.shown(group)) {
-            Some(index) => Ok(Val::Int(i32::from(index))),
-            None => self.core.refuse(span, codes::S2018::there_is_no_such_g_group()),
-        }
-    }
-
-    /// Data of tools and edges that the program did not write: of `[tools]`, or of the edge it wrote them for.
-    fn tool_value(&self, word: &str, args: &[Val]) -> Option<Val> {
-        let is_written = || self.st.system.is_written(&system_key(word, args));
-        match word {
-            "$TC_DP2" | "$TC_DP3" | "$TC_DP6" | "$TC_DP7" | "$TC_DP12" | "$TC_DP15" | "$P_AD" | "$P_TOOLL"
-                if !is_written() =>
-            {
-                if let Some(written) = self.st.written_parameter(word, args) {
-                    return Some(written);
-                }
-                let is_number = word == "$TC_DP2" || word == "$P_AD" && args.first().and_then(Val::number) == Some(2.0);
-                let value = self.table_value(word, args)?;
-                Some(if is_number { Val::Int(value as i32) } else { Val::Real(value / self.st.feed_unit()) })
-            }
-            "$TC_TP2" | "$P_TOOLEXIST" if !is_written() => self.told_of_tool(word, args),
-            "$P_TOOLR" => self.known_radius().map(|radius| Val::Real(radius / self.st.feed_unit())),
-            _ => None,
         }
     }
 
@@ -128,7 +115,7 @@ impl Channel<'_> {
             }
             "$P_SUBPAR" => {
                 let n = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-                let given = &self.core.program_level().given;
+                let given = &super::levels::program(&mut self.core.levels).given;
                 Some(Val::Bool(n.and_then(|n| n.checked_sub(1)).and_then(|n| given.get(n)).is_some_and(|given| *given)))
             }
             "$P_STACK" => Some(Val::Int(self.core.levels.len() as i32 - 1)),
@@ -145,40 +132,45 @@ impl Channel<'_> {
             }
             "$P_IFRAME" => (self.st.frames.settable().cloned(), args),
             _ => match self.core.offset_number(args, span)? {
-                Some((number, rest)) => (self.offset_frame(number), rest),
+                Some((number, rest)) => (self.st.frames.offset_of(&self.core.job.settings.datums, number), rest),
                 None => return Ok(None),
             },
         };
         match frame {
             None => Ok(None),
             Some(frame) if component.is_empty() => Ok(Some(Val::Frame(Rc::new(frame)))),
-            Some(frame) => self.frame_component(&frame, component, span).map(Some),
+            Some(frame) => self.core.accept(span, frame.read_component(component, self.st.feed_unit())).map(Some),
         }
     }
+}
 
-    /// A work offset as far as it is known: written by the program, or given under `[datums]`.
-    pub(super) fn offset_frame(&self, number: u8) -> Option<FrameValue> {
-        if let Some(frame) = self.st.frames.written(number) {
-            return Some(frame.clone());
-        }
-        let values = self.core.job.settings.datums.offsets.get(&offset_word(number))?;
-        let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
-        Some(FrameValue::shifted(&values))
+fn end_position(core: &Core<'_>, st: &State, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
+    let [Val::Axis(named)] = args else {
+        return core.refuse(span, codes::S2031::needs_axis(&word));
+    };
+    named.axis.map(|axis| position_value(core, st, axis, span).map(Val::Real)).transpose()
+}
+
+/// Where an axis stands, as the program would write it.
+fn position_value(core: &Core<'_>, st: &State, axis: Axis, span: Span) -> Outcome<f64> {
+    if st.position.is_lost(axis) {
+        return Err(Reported);
     }
+    let Some(value) = st.position.get(axis) else {
+        return st.no_position(core, axis, span, codes::P2001::where_axis_stands_is_not_known_2);
+    };
+    if axis.is_rotary() {
+        return Ok(if st.machine.modulo.contains(axis) { reduced(value) } else { value });
+    }
+    let diameter = core.is_diameter_axis(axis) && st.diameter_mode() != Diameter::Off;
+    Ok(value * if diameter { 2.0 } else { 1.0 } / st.feed_unit())
+}
 
-    /// Where an axis stands, as the program would write it.
-    fn position_value(&self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.position.is_lost(axis) {
-            return Err(Reported);
-        }
-        let Some(value) = self.st.position.get(axis) else {
-            return self.no_position(axis, span, codes::P2001::where_axis_stands_is_not_known_2);
-        };
-        if axis.is_rotary() {
-            return Ok(if self.st.machine.modulo.contains(axis) { reduced(value) } else { value });
-        }
-        let diameter = self.core.is_diameter_axis(axis) && self.st.diameter_mode() != Diameter::Off;
-        Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.feed_unit())
+fn code_in_force(core: &Core<'_>, codes_on: &ActiveCodes, args: &[Val], span: Span) -> Outcome<Val> {
+    let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
+    match group.and_then(|group| codes_on.shown(group)) {
+        Some(index) => Ok(Val::Int(i32::from(index))),
+        None => core.refuse(span, codes::S2018::there_is_no_such_g_group()),
     }
 }
 

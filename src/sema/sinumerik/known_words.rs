@@ -2,6 +2,8 @@
 //!
 //! A word that is built stands in `vocabulary`. Source: S 1.3, 2, 3, 5 and 6 (docs/sources.md).
 
+use crate::diag::{Fault, codes};
+
 /// Words of one kind.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Known {
@@ -12,6 +14,13 @@ pub(super) struct Known {
     pub help: &'static str,
     /// Left out, the path would be another one.
     pub moves: bool,
+}
+
+impl Known {
+    /// What is wrong with `word`, which is one of them.
+    pub fn not_compiled(&self, word: &str) -> Fault {
+        codes::S9132::is_not_compiled(&word, &self.what).help(self.help)
+    }
 }
 
 const fn known(names: &'static str, what: &'static str, help: &'static str) -> Known {

@@ -28,7 +28,7 @@ pub(super) enum Lane {
 impl Channel<'_> {
     /// Which straight blocks do nothing but move?
     pub(super) fn open_lane(&mut self) -> Lane {
-        if !(self.moves_straight() && self.nothing_waits() && self.core.program_level().executed) {
+        if !(self.moves_straight() && self.nothing_waits() && super::levels::program(&mut self.core.levels).executed) {
             return Lane::Closed;
         }
         let feed = &self.st.feed;
@@ -72,9 +72,9 @@ impl Channel<'_> {
             && !self.st.compensation.waits()
             && !self.st.corners.open.is_open()
             && self.st.corners.rounding() == 0.0
-            && self.cut_is_known()
+            && self.left.cut_is_known()
             && self.st.feed.is_the_programs()
-            && self.speed_lost.is_none()
+            && self.left.speed.is_none()
             && self.curve_table.is_none()
             && self.st.touched.is_none()
             && self.st.position.left_by_calls().is_empty()
@@ -163,7 +163,7 @@ impl Channel<'_> {
             }
         };
         self.st.codes.activate(code);
-        self.note_heading(&end, &path);
+        self.st.heading.follow(&self.st.position, &end, &path);
         self.core.send_move(&Move { end, path, side: self.st.side_of_move(), coords: Coords::Frame }, &self.st.ctx);
         self.st.position.move_to(&end);
     }

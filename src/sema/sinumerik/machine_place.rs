@@ -4,13 +4,13 @@
 //! tool length off unless it is added. Source: S 4.8 (docs/sources.md).
 
 use crate::diag::{Answer, Help, codes};
-use crate::machine::{Axis, AxisSet};
+use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::state::State;
 use super::words::Words;
-use super::{Channel, Core, Outcome};
+use super::{Core, Outcome};
 
 /// Length of the tool in the axis along which it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,25 +32,23 @@ impl State {
         }
         axes
     }
-}
 
-impl Channel<'_> {
     /// The tool in use as the control counts it: length, wear and base length of the edge.
-    pub(super) fn active_length(&self) -> ToolLength {
-        let tool = &self.st.tool;
+    pub(super) fn active_length(&self, settings: &Settings) -> ToolLength {
+        let tool = &self.tool;
         if tool.edge() == Some(0) || tool.active() == Some(0) {
             return ToolLength::Off;
         }
         let Some(number) = tool.active() else {
             return if tool.edge().is_some() { ToolLength::Unknown } else { ToolLength::Off };
         };
-        if tool.edge_in_doubt() || self.st.machine.lathe {
+        if tool.edge_in_doubt() || self.machine.lathe {
             return ToolLength::Unknown;
         }
         let edge = tool.edge_or_first();
-        let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
+        let written = |parameter: u8| self.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
         let listed = || {
-            let tool = self.core.job.settings.tools.called(number).filter(|_| edge == 1)?;
+            let tool = settings.tools.called(number).filter(|_| edge == 1)?;
             tool.length.map(|length| length + tool.deltas[0])
         };
         match written(3).or_else(listed) {
@@ -60,42 +58,72 @@ impl Channel<'_> {
     }
 
     /// Where the spindle stands when the control has an axis at the machine coordinate `value`.
-    pub(super) fn machine_place(&mut self, axis: Axis, value: f64, place: impl Into<Where>) -> Outcome<f64> {
+    pub(super) fn machine_place(
+        &self,
+        core: &Core<'_>,
+        axis: Axis,
+        value: f64,
+        place: impl Into<Where>,
+    ) -> Outcome<f64> {
         let place = place.into();
-        if !self.st.tool_axes().contains(axis) {
+        if !self.tool_axes().contains(axis) {
             return Ok(value);
         }
-        let length = self.active_length();
+        let length = self.active_length(core.job.settings);
         if length == ToolLength::Off {
             return Ok(value);
         }
-        if !self.core.job.settings.output.prints_tool_length() {
-            self.core.says_tip_in_machine_coordinates(place);
+        if !core.job.settings.output.prints_tool_length() {
+            core.says_tip_in_machine_coordinates(place);
             return Ok(value);
         }
         match length {
             ToolLength::Known(length) => {
-                self.core.say_once(
+                core.say_once(
                     place,
                     codes::S8105::tool_length_is_added_to_machine_coordinates(&length, &axis.letter()),
                 );
                 Ok(value + length)
             }
-            _ => self.length_is_needed(axis, place),
+            _ => self.length_is_needed(core, axis, place),
         }
     }
 
+    fn length_is_needed<T>(&self, core: &Core<'_>, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
+        let ways = "write D0 in the block, or set `[control] md10760 = true`";
+        let help = match self.tool.active() {
+            Some(number) if !self.machine.lathe => {
+                Answer::tool(number, "length").help(format!("give it: `[tools.{number}] length = 120.0`; or {ways}"))
+            }
+            _ => Help::from(ways),
+        };
+        let help = help.and(Answer::key("control", "md10760").one_of(&["true"]));
+        core.refuse(place, codes::P2005::control_goes_to_this_machine_coordinate(&axis.letter()).help(&help))
+    }
+
+    /// SUPD: the tool offsets do not count in this block.
+    pub(super) fn suppressed_tool(&self, core: &Core<'_>, w: &Words, span: Span) -> Outcome {
+        // On a lathe each end point, also a polar one, lies in the axes of the lengths.
+        let moves = self.machine.lathe || w.axes.iter().any(|axis| self.tool_axes().contains(axis));
+        let radius = self.side() != crate::ir::Side::None;
+        if radius || moves && self.active_length(core.job.settings) != ToolLength::Off {
+            return core.refuse(span, codes::P2005::supd_moves_spindle());
+        }
+        core.say_once(span, codes::S8103::supd_is_left_out());
+        Ok(())
+    }
+
     /// G43 of the target adds the length of the tool to Z; on the control it acts along the third axis of the plane.
-    pub(super) fn length_acts_along_z(&self) {
-        let [_, _, third] = self.st.roles();
-        let output = &self.core.job.settings.output;
-        if third == Axis::Z || !output.prints_tool_length() || self.st.machine.lathe || self.is_capturing() {
+    pub(super) fn length_acts_along_z(&self, core: &Core<'_>) {
+        let [_, _, third] = self.roles();
+        let output = &core.job.settings.output;
+        if third == Axis::Z || !output.prints_tool_length() || self.machine.lathe || self.describes {
             return;
         }
-        let tool = &self.st.tool;
+        let tool = &self.tool;
         if tool.edge() == Some(0)
             || tool.active().is_none_or(|number| number == 0)
-            || !self.core.job.diags.first_time(codes::O9190, third)
+            || !core.job.diags.first_time(codes::O9190, third)
         {
             return;
         }
@@ -103,35 +131,11 @@ impl Channel<'_> {
         let [who, help] = output.length_along_z();
         let help = format!("{help}, or program the block under G17");
         let help = Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help);
-        self.core.report(
+        core.report(
             codes::O9190::under_length_of_tool_acts_along(&plane, &third.letter(), &who)
-                .at(self.core.loc(Where::Block))
+                .at(core.loc(Where::Block))
                 .help(help),
         );
-    }
-
-    fn length_is_needed<T>(&self, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
-        let ways = "write D0 in the block, or set `[control] md10760 = true`";
-        let help = match self.st.tool.active() {
-            Some(number) if !self.st.machine.lathe => {
-                Answer::tool(number, "length").help(format!("give it: `[tools.{number}] length = 120.0`; or {ways}"))
-            }
-            _ => Help::from(ways),
-        };
-        let help = help.and(Answer::key("control", "md10760").one_of(&["true"]));
-        self.core.refuse(place, codes::P2005::control_goes_to_this_machine_coordinate(&axis.letter()).help(&help))
-    }
-
-    /// SUPD: the tool offsets do not count in this block.
-    pub(super) fn suppressed_tool(&mut self, w: &Words, span: Span) -> Outcome {
-        // On a lathe each end point, also a polar one, lies in the axes of the lengths.
-        let moves = self.st.machine.lathe || w.axes.iter().any(|axis| self.st.tool_axes().contains(axis));
-        let radius = self.st.side() != crate::ir::Side::None;
-        if radius || moves && self.active_length() != ToolLength::Off {
-            return self.core.refuse(span, codes::P2005::supd_moves_spindle());
-        }
-        self.core.say_once(span, codes::S8103::supd_is_left_out());
-        Ok(())
     }
 }
 

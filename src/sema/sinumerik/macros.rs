@@ -6,10 +6,9 @@ use rustc_hash::FxHashMap;
 
 use crate::diag::{Fault, codes};
 use crate::parser::symbols::{Symbol, Symbols};
-use crate::text::Span;
 
+use super::g_groups::GCodes;
 use super::vocabulary::Meaning;
-use super::{Core, Outcome, Run};
 
 /// Longest text of a macro.
 const MOST_MACRO: usize = 256;
@@ -20,79 +19,55 @@ pub(super) struct Sinumerik {
     macros: FxHashMap<Symbol, Box<[u8]>>,
 }
 
-impl Run<'_> {
-    /// `NAME AS words`
-    pub(super) fn define_macro(&mut self, rest: &[u8], span: Span) -> Outcome {
-        let rest = rest.trim_ascii();
-        let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
-        let (name, body) = rest.split_at(len);
-        let body = body.trim_ascii_start();
-        let keyword = body.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"AS"));
-        if len == 0 || !keyword {
-            return self.channel.core.refuse(span, codes::P1001::macro_is_written_define_name_as_words());
-        }
-        let body = body[2..].trim_ascii();
-        if body.len() > MOST_MACRO {
-            return self.channel.core.refuse(span, codes::S2030::text_of_macro_has_at_most_256());
-        }
-        let symbol = self.channel.core.symbols.intern(name);
-        if let Some(fault) = self.macro_in_use(symbol) {
-            let digits = self.channel.core.symbols.name(symbol).len() - 1;
-            let long = matches!(name.first(), Some(b'G' | b'g')) && digits > 3
-                || matches!(name.first(), Some(b'M' | b'm')) && digits > 2;
-            let numbered = name.get(1..).is_some_and(|rest| rest.iter().all(u8::is_ascii_digit));
-            let alarm = if numbered && long { 12530 } else { 12270 };
-            return self.channel.core.refuse(span, fault.alarm(alarm));
-        }
-        if self.channel.core.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
-            return self
-                .channel
-                .core
-                .refuse(span, codes::S2016::macro_is_defined_twice(&self.channel.core.symbols.name(symbol)));
-        }
-        if self.vars.find(symbol).is_some() {
-            return self
-                .channel
-                .core
-                .refuse(span, codes::S2016::is_variable_already(&self.channel.core.symbols.name(symbol)));
-        }
-        if self.channel.core.language.macros.insert(symbol, body.into()).as_deref() != Some(body) {
-            // Blocks that were read before may contain the name.
-            for program in &mut self.channel.core.programs {
-                program.source.forget_blocks();
-            }
-        }
-        Ok(())
+/// Name and words of `NAME AS words`.
+pub(super) fn name_and_words(rest: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
+    let rest = rest.trim_ascii();
+    let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+    let (name, body) = rest.split_at(len);
+    let body = body.trim_ascii_start();
+    let keyword = body.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"AS"));
+    if len == 0 || !keyword {
+        return Err(codes::P1001::macro_is_written_define_name_as_words());
     }
+    let body = body[2..].trim_ascii();
+    if body.len() > MOST_MACRO { Err(codes::S2030::text_of_macro_has_at_most_256()) } else { Ok((name, body)) }
+}
 
-    /// A macro must not give a word of the language another meaning.
-    pub(super) fn macro_in_use(&mut self, symbol: Symbol) -> Option<Fault> {
-        let word = self.channel.core.symbols.name(symbol).to_owned();
-        let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
-        let taken = match (word.as_bytes().first(), digits) {
-            (Some(b'G'), Some(digits)) => {
-                digits.len() > 3 || digits.parse().ok().is_some_and(|n: f64| self.gcodes.get(n).is_some())
-            }
-            (Some(b'M'), Some(digits)) => {
-                let number: Option<u32> = digits.parse().ok();
-                digits.len() > 2 || number.is_some_and(|n| n <= 9 || n == 17 || n == 19 || n == 30)
-            }
-            (Some(b'H'), Some(_)) => false,
-            (Some(_), Some(_)) => true,
-            _ => word.len() == 1 || self.meaning(symbol) != Meaning::Unknown || is_keyword(&word),
-        };
-        taken.then(|| codes::S2016::is_word_of_language(&word))
+/// Would a macro of this name give a word of the language another meaning? `word` is in capitals.
+pub(super) fn is_in_use(word: &str, meaning: Meaning, gcodes: &GCodes) -> bool {
+    let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
+    match (word.as_bytes().first(), digits) {
+        (Some(b'G'), Some(digits)) => {
+            digits.len() > 3 || digits.parse().ok().is_some_and(|n: f64| gcodes.get(n).is_some())
+        }
+        (Some(b'M'), Some(digits)) => {
+            let number: Option<u32> = digits.parse().ok();
+            digits.len() > 2 || number.is_some_and(|n| n <= 9 || n == 17 || n == 19 || n == 30)
+        }
+        (Some(b'H'), Some(_)) => false,
+        (Some(_), Some(_)) => true,
+        _ => word.len() == 1 || meaning != Meaning::Unknown || is_keyword(word),
     }
 }
 
-impl Core<'_> {
-    /// The block with its macros replaced; `None` if it has none.
-    pub(super) fn expanded(&self, text: &[u8]) -> Option<Vec<u8>> {
-        self.language.expanded(&self.symbols, text)
-    }
+/// The alarm of a word that is in use: numbers of G and M that are too long have their own.
+pub(super) fn alarm_of_use(word: &str) -> u32 {
+    let digits = word.get(1..).unwrap_or_default();
+    let most = if word.starts_with('G') { 3 } else { 2 };
+    let long = word.starts_with(['G', 'M']) && digits.len() > most;
+    if long && digits.bytes().all(|b| b.is_ascii_digit()) { 12530 } else { 12270 }
 }
 
 impl Sinumerik {
+    /// What the macro stands for.
+    pub fn body(&self, name: Symbol) -> Option<&[u8]> {
+        self.macros.get(&name).map(|body| &**body)
+    }
+
+    pub fn define(&mut self, name: Symbol, body: &[u8]) {
+        self.macros.insert(name, body.into());
+    }
+
     pub fn has_macros(&self) -> bool {
         !self.macros.is_empty()
     }

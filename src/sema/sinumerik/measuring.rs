@@ -9,19 +9,19 @@
 use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
-use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
 use crate::sema::common::hidden::By;
-use crate::sema::run::place::move_beside;
 use crate::text::{Loc, Span};
 
 use super::block::ARC_ADDRESSES;
 use super::measuring_data;
-use super::probe_state::{ProbeWord, Touched};
-use super::system_meanings::{is_measured, meaning_of, said_meaning};
+use super::probe_state::{Measured, ProbeWord, Touched, hidden_with};
+use super::state::State;
+use super::system_meanings::is_measured;
+use super::system_variables::SystemVariables;
 use super::value::{Val, whole};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
 /// What a cycle sets by what it measures.
 enum Sets {
@@ -31,84 +31,88 @@ enum Sets {
     Tool,
 }
 
-impl Run<'_> {
-    /// MEAS=±1 and its kin, with their value.
-    pub(super) fn probe_word(
-        &mut self,
-        words: &mut Words,
-        probe: ProbeWord,
-        word: &Word,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        if let Value::Formula(formula) = word.value {
-            self.eval(formula, block, text)?;
-        }
-        words.probe = Some(probe);
-        Ok(())
+impl Measured {
+    /// A block or a cycle measures: what was written of its results is no more what the control has.
+    pub fn note(&mut self, system: &mut SystemVariables, name: &str, loc: Loc) {
+        self.last = Some((name.to_owned(), loc));
+        system.forget_where(|key| {
+            let word = key.split('[').next().unwrap_or(key);
+            is_measured(word) || measuring_data::find(word) == Some(true)
+        });
     }
 
-    /// A call of a measuring cycle.
-    pub(super) fn measuring_cycle(
-        &mut self,
-        (name, span): (&str, Span),
-        formulas: &[Formula],
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let mut values = Vec::with_capacity(formulas.len());
-        for formula in formulas {
-            values.push(self.eval(*formula, block, text)?);
+    /// MEAW, and MEAS whose probe touches nothing: its move was printed, if there was one.
+    pub fn on_the_way(&mut self, core: &Core<'_>, system: &mut SystemVariables, probe: ProbeWord, moved: bool) {
+        let (loc, name) = (core.loc(probe.span), probe.name);
+        let found = match (moved, core.never_touches()) {
+            (true, true) => codes::S8167::probe_touches_nothing(&name),
+            (true, false) => codes::S8167::its_move_is_not_left_out(&name),
+            (false, _) => codes::S8167::its_block_moves_no_axis(&name),
         }
-        self.channel.leave_cycle_out(name, &values, span)
+        .at(loc);
+        if !core.job.diags.knows(&found) {
+            core.report(found);
+        }
+        self.note(system, name, loc);
     }
 
-    // Global data of the cycles.
-
-    /// `_MVAR=100`: kept for the cycle that follows, where measuring is left out and nothing else has the name.
-    pub(super) fn keeps_measuring_data(&mut self, name: &str, args: &[Val], value: Option<Val>, span: Span) {
-        let key = super::system::system_key(name, args);
-        match value {
-            Some(value) => self.channel.st.system.set(key, value),
-            None => self.channel.st.system.forget(&key),
-        }
-        self.channel.core.say_once(span, codes::S8168::arguments_of_measuring_cycles());
-    }
-
-    /// The value of one of their names in a formula: what the program wrote, or what `[variables]` says; `None` for another name.
-    pub(super) fn measuring_value(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
-        let Some(result) = measuring_data::find(name) else { return Ok(None) };
-        let key = super::system::system_key(name, args);
-        if let Some(value) = self.channel.st.system.get(&key) {
-            return Ok(Some(value.clone()));
-        }
-        if !result {
+    /// The probe touched nothing: what it measured has no value, and whether it touched is known.
+    pub fn untouched_value(
+        &self,
+        core: &Core<'_>,
+        system: &SystemVariables,
+        word: &str,
+        key: &str,
+        span: Span,
+    ) -> Outcome<Option<Val>> {
+        let Some((name, at)) = self.last.as_ref().filter(|(name, _)| name.starts_with("MEA")) else {
+            return Ok(None);
+        };
+        if !core.never_touches() || !is_measured(word) || system.is_written(key) {
             return Ok(None);
         }
-        let Some(value) = self.channel.core.job.settings.variables.get(&key).copied() else {
-            let help = format!(
-                "give it under [variables]: \"{key}\" = value; the measuring cycles keep it in the global data of the control"
-            );
-            let help = Answer::variable(&key, meaning_of(name, args).unwrap_or_default()).help(help);
-            return self
-                .channel
-                .core
-                .refuse(span, codes::S9133::is_result_of_measuring_cycles(&key, &said_meaning(name, args)).help(help));
-        };
-        self.channel.says_given(&key, value, true, span);
-        Ok(Some(Val::Real(value)))
+        if word != "$AC_MEA" {
+            return core.refuse(span, codes::P2023::has_no_value(&key, &name, &at.line));
+        }
+        let found = codes::S8169::is_0_in_line_touches_nothing(&key, &name, &at.line)
+            .at(core.loc(span))
+            .also(*at, Label::Measured);
+        core.report_once(found.help("check that the control goes the same way through the program"));
+        Ok(Some(Val::Int(0)))
     }
 
-    /// May a variable of this name hold what a left-out cycle found?
-    pub(super) fn is_found_by_cycle(&self, name: &str) -> bool {
-        self.channel.measured.cycle.is_some() && measuring_data::find(name) == Some(true)
+    /// What a feed move lacks after a cycle that is left out.
+    pub fn help_of_feed(&self) -> Option<Help> {
+        let (name, at) = self.cycle.as_ref()?;
+        let help = format!(
+            "program F in this block: {name} in line {} runs at feeds of its own, and the one before it ends",
+            at.line
+        );
+        Some(help.into())
+    }
+
+    /// A value of `[variables]` stands for what was measured.
+    pub fn says_given(&self, core: &Core<'_>, key: &str, value: f64, by_cycle: bool, span: Span) {
+        let last = if by_cycle { self.cycle.as_ref() } else { self.last.as_ref() };
+        let Some((name, at)) = last else { return };
+        let found = codes::S8169::of_variables_is_taken_for_what(&key, &value, &name, &at.line)
+            .at(core.loc(span))
+            .also(*at, Label::Measured);
+        if core.job.diags.first_text(codes::S8169, &found.message) {
+            core.report(
+                found.help("one value stands for all measurings of the program: check that it is right for this one"),
+            );
+        }
     }
 }
 
-pub(super) fn leave_out() -> Help {
-    Answer::key("control", "probing").one_of(&["\"leave-out\""]).help(
-        "leave out what measures: `[control] probing = \"leave-out\"`; what the program computes with afterwards is asked for",
-    )
+impl ProbeWord {
+    /// G4, TRANS and their kin take no words of moves.
+    pub fn stands_beside(&self, core: &Core<'_>, span: Span) -> Outcome {
+        let found = codes::S2013::needs_move(&self.name).at(core.loc(self.span));
+        core.report(found.also(core.loc(span), Label::MovesNoAxis).help("give it a block with G1 and an axis"));
+        Err(Reported)
+    }
 }
 
 impl Channel<'_> {
@@ -125,16 +129,18 @@ impl Channel<'_> {
         self.pending_must_be_done(span)?;
         let ignored = self.core.job.settings.programs.get(name) == Some(&StandIn::Ignored);
         if !ignored && !self.core.job.settings.control.klartext_choices.probing_left_out {
-            return self.core.refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(leave_out()));
+            return self
+                .core
+                .refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(measuring_data::leave_out()));
         }
-        if self.st.side() != Side::None || self.is_capturing() {
+        if self.st.side() != Side::None || self.capture.is_some() {
             return self.core.refuse(span, codes::P9010::stands_under_radius_compensation_or_in_contour(&name));
         }
-        let what = match self.set_by(name, values) {
+        let what = match set_by(&self.st.system, name, values) {
             Sets::Nothing => "",
             Sets::Tool => "; the data of tools stay those of the tool table",
             Sets::Offset(number) => {
-                self.offset_by_probe(name, number, span)?;
+                offset_by_probe(&self.core, &self.st, name, number, span)?;
                 "; the work offset of the target has to be as it sets it, before the program runs"
             }
         };
@@ -158,56 +164,10 @@ impl Channel<'_> {
         self.st.touched = Some(Touched { all, cuts: geometry, loc });
         // The cycle programs feeds of its own.
         self.st.feed.end();
-        self.has_measured(name, loc);
+        self.measured.note(&mut self.st.system, name, loc);
         self.measured.cycle = Some((name.to_owned(), loc));
         self.lost();
         Ok(())
-    }
-
-    /// What the cycle sets: its arguments MVAR and KNUM, or the global data of the old form.
-    fn set_by(&self, name: &str, values: &[Val]) -> Sets {
-        let old = values.is_empty();
-        let argument = |at: usize, global: &str| {
-            let value = if old { self.st.system.number(global) } else { values.get(at).and_then(Val::number) };
-            value.and_then(whole)
-        };
-        let (variant, number) = (argument(0, "_MVAR"), argument(1, "_KNUM"));
-        match name {
-            "CYCLE971" | "CYCLE972" | "CYCLE982" => Sets::Tool,
-            "CYCLE973" | "CYCLE976" | "CYCLE995" => Sets::Nothing,
-            _ if number == Some(0) => Sets::Nothing,
-            "CYCLE974" | "CYCLE977" | "CYCLE978" | "CYCLE979" | "CYCLE994"
-                if variant.is_some_and(|variant| variant / 100 % 10 == 0) =>
-            {
-                Sets::Tool
-            }
-            _ => Sets::Offset(number),
-        }
-    }
-
-    /// A work offset that a left-out cycle corrects by what it measures.
-    fn offset_by_probe(&mut self, name: &str, number: Option<i32>, span: Span) -> Outcome {
-        let which = number.map_or_else(String::new, |number| format!(" (KNUM {number})"));
-        let message = format!("{name} corrects a work offset{which} by what it measures");
-        match self.core.job.settings.control.klartext_choices.probing_datum {
-            Some(true) if self.st.tool.others_worked() => {
-                self.core.refuse(span, codes::S9024::another_tool_worked_before(&message))
-            }
-            Some(true) if self.st.offsets.is_basic_said() => {
-                self.core.refuse(span, codes::S9024::coordinates_count_from_basic_system(&message))
-            }
-            Some(true) => Ok(()),
-            Some(false) => {
-                let help = Answer::key("control", "probing_datum").one_of(&["\"set\""]);
-                let help = help.help("`[control] probing_datum = \"refuse\"` compiles no such program");
-                self.core.refuse(span, codes::S9024::corrects_work_offset_by_what(&name, &which).help(help))
-            }
-            None => self.core.refuse(
-                span,
-                codes::S9024::corrects_work_offset_by_what_it_measures(&name, &which)
-                    .answer(Answer::key("control", "probing_datum").one_of(&["\"set\""])),
-            ),
-        }
     }
 
     /// A block with MEAS: no axis of it moves, and where the probe left them is not known.
@@ -246,144 +206,81 @@ impl Channel<'_> {
         }
         self.st.threads.end_chain();
         self.st.heading = super::tangent::Heading::None;
-        let axes = self.hidden_with(axes);
+        let axes = hidden_with(&self.st.ctx.frame, axes);
         self.st.position.forget(axes);
         self.st.position.hide(axes, By::Probe, loc);
         let before = self.st.touched;
         let all = before.map_or(axes, |touched| touched.all.union(axes));
         let cuts = before.map_or(AxisSet::EMPTY, |touched| touched.cuts);
         self.st.touched = (!all.union(cuts).is_empty()).then_some(Touched { all, cuts, loc });
-        self.has_measured(probe.name, loc);
+        self.measured.note(&mut self.st.system, probe.name, loc);
         self.only_known_axes_stand();
         Ok(())
     }
 
-    /// In a turned frame each axis of the program moves several of the machine.
-    fn hidden_with(&self, axes: AxisSet) -> AxisSet {
-        if self.st.ctx.frame.is_shift() || axes.common(AxisSet::MAIN).is_empty() {
-            axes
-        } else {
-            axes.union(AxisSet::MAIN)
-        }
-    }
-
-    /// MEAW, and MEAS whose probe touches nothing: its move was printed, if there was one.
-    pub(super) fn measured_on_the_way(&mut self, probe: ProbeWord, moved: bool) -> bool {
-        let (loc, name) = (self.core.loc(probe.span), probe.name);
-        let found = match (moved, self.never_touches()) {
-            (true, true) => codes::S8167::probe_touches_nothing(&name),
-            (true, false) => codes::S8167::its_move_is_not_left_out(&name),
-            (false, _) => codes::S8167::its_block_moves_no_axis(&name),
-        }
-        .at(loc);
-        if !self.core.job.diags.knows(&found) {
-            self.core.report(found);
-        }
-        self.has_measured(name, loc);
-        moved
-    }
-
-    /// Does the configuration say that the probe touches nothing, so that each move goes its whole way?
-    pub(super) fn never_touches(&self) -> bool {
-        self.core.job.settings.control.klartext_choices.never_touches
-    }
-
-    /// The probe touched nothing: what it measured has no value, and whether it touched is known.
-    pub(super) fn untouched_value(&mut self, word: &str, key: &str, span: Span) -> Outcome<Option<Val>> {
-        let Some((name, at)) = self.measured.last.clone().filter(|(name, _)| name.starts_with("MEA")) else {
-            return Ok(None);
-        };
-        if !self.never_touches() || !is_measured(word) || self.st.system.is_written(key) {
-            return Ok(None);
-        }
-        if word != "$AC_MEA" {
-            return self.core.refuse(span, codes::P2023::has_no_value(&key, &name, &at.line));
-        }
-        let found = codes::S8169::is_0_in_line_touches_nothing(&key, &name, &at.line)
-            .at(self.core.loc(span))
-            .also(at, Label::Measured);
-        self.core.report_once(found.help("check that the control goes the same way through the program"));
-        Ok(Some(Val::Int(0)))
-    }
-
-    /// G4, TRANS and their kin take no words of moves.
-    pub(super) fn measures_beside(&self, probe: ProbeWord, span: Span) -> Outcome {
-        let found = codes::S2013::needs_move(&probe.name).at(self.core.loc(probe.span));
-        self.core
-            .report(found.also(self.core.loc(span), Label::MovesNoAxis).help("give it a block with G1 and an axis"));
-        Err(Reported)
-    }
-
     pub(super) fn may_leave_probe_out(&mut self, probe: ProbeWord) -> Outcome {
         if !self.core.job.settings.control.klartext_choices.probing_left_out {
-            return self
-                .core
-                .refuse(probe.span, codes::P9010::measuring_is_not_supported(&probe.name).help(leave_out()));
+            return self.core.refuse(
+                probe.span,
+                codes::P9010::measuring_is_not_supported(&probe.name).help(measuring_data::leave_out()),
+            );
         }
         self.pending_must_be_done(probe.span)?;
         let open = self.st.side() != Side::None || self.st.compensation.waits() || self.soft.is_some();
-        if open || self.is_capturing() || self.st.modal_call.is_on() {
+        if open || self.capture.is_some() || self.st.modal_call.is_on() {
             return self.core.refuse(probe.span, codes::P9010::stands_under_radius_compensation(&probe.name));
         }
         Ok(())
     }
+}
 
-    fn has_measured(&mut self, name: &str, loc: Loc) {
-        self.measured.last = Some((name.to_owned(), loc));
-        self.st.system.forget_where(|key| {
-            let word = key.split('[').next().unwrap_or(key);
-            is_measured(word) || measuring_data::find(word) == Some(true)
-        });
+impl Core<'_> {
+    /// Does the configuration say that the probe touches nothing, so that each move goes its whole way?
+    pub(super) fn never_touches(&self) -> bool {
+        self.job.settings.control.klartext_choices.never_touches
     }
+}
 
-    /// A move to these axes, before it: those that stand where a probe left them have to be named.
-    pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
-        let (position, here) = (&self.st.position, self.core.here.origin.loc);
-        let left = if self.is_capturing() { AxisSet::EMPTY } else { position.left_by_calls() };
-        if let Some(found) = move_beside(position, left, axes, &self.st.ctx.frame, here) {
-            self.core.report(found);
-            self.lose_all();
-            return Err(Reported);
+/// What the cycle sets: its arguments MVAR and KNUM, or the global data of the old form.
+fn set_by(system: &SystemVariables, name: &str, values: &[Val]) -> Sets {
+    let old = values.is_empty();
+    let argument = |at: usize, global: &str| {
+        let value = if old { system.number(global) } else { values.get(at).and_then(Val::number) };
+        value.and_then(whole)
+    };
+    let (variant, number) = (argument(0, "_MVAR"), argument(1, "_KNUM"));
+    match name {
+        "CYCLE971" | "CYCLE972" | "CYCLE982" => Sets::Tool,
+        "CYCLE973" | "CYCLE976" | "CYCLE995" => Sets::Nothing,
+        _ if number == Some(0) => Sets::Nothing,
+        "CYCLE974" | "CYCLE977" | "CYCLE978" | "CYCLE979" | "CYCLE994"
+            if variant.is_some_and(|variant| variant / 100 % 10 == 0) =>
+        {
+            Sets::Tool
         }
-        let Some(touched) = self.st.touched else { return Ok(()) };
-        let of = |axes: AxisSet| if axes.is_empty() { axes } else { self.hidden_with(axes) };
-        let (all, cuts) = (of(touched.all).without(axes), of(touched.cuts).without(axes));
-        let missing = if rapid { all } else { all.union(cuts) };
-        if missing.is_empty() {
-            self.st.touched = (!all.union(cuts).is_empty()).then_some(Touched { all, cuts, ..touched });
-            return Ok(());
-        }
-        self.st.touched = None;
-        let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
-        let letters = letters.join(" and ");
-        let found = codes::S9023::this_block_moves(&letters)
-            .at(self.core.here.origin.loc)
-            .also(touched.loc, Label::MeasuringLeftOut);
-        self.core.report(found.help(format!("program {letters} in this block, in absolute coordinates")));
-        self.lose_all();
-        Err(Reported)
+        _ => Sets::Offset(number),
     }
+}
 
-    /// What a feed move lacks after a cycle that is left out.
-    pub(super) fn feed_of_measuring(&self) -> Option<String> {
-        let (name, at) = self.measured.cycle.as_ref()?;
-        Some(format!(
-            "program F in this block: {name} in line {} runs at feeds of its own, and the one before it ends",
-            at.line
-        ))
-    }
-
-    /// A value of `[variables]` stands for what was measured.
-    pub(super) fn says_given(&mut self, key: &str, value: f64, by_cycle: bool, span: Span) {
-        let last = if by_cycle { self.measured.cycle.as_ref() } else { self.measured.last.as_ref() };
-        let Some((name, at)) = last else { return };
-        let found = codes::S8169::of_variables_is_taken_for_what(&key, &value, &name, &at.line)
-            .at(self.core.loc(span))
-            .also(*at, Label::Measured);
-        if self.core.job.diags.first_text(codes::S8169, &found.message) {
-            self.core.report(
-                found.help("one value stands for all measurings of the program: check that it is right for this one"),
-            );
+/// A work offset that a left-out cycle corrects by what it measures.
+fn offset_by_probe(core: &Core<'_>, st: &State, name: &str, number: Option<i32>, span: Span) -> Outcome {
+    let which = number.map_or_else(String::new, |number| format!(" (KNUM {number})"));
+    let message = format!("{name} corrects a work offset{which} by what it measures");
+    match core.job.settings.control.klartext_choices.probing_datum {
+        Some(true) if st.tool.others_worked() => core.refuse(span, codes::S9024::another_tool_worked_before(&message)),
+        Some(true) if st.offsets.is_basic_said() => {
+            core.refuse(span, codes::S9024::coordinates_count_from_basic_system(&message))
         }
+        Some(true) => Ok(()),
+        Some(false) => {
+            let help = Answer::key("control", "probing_datum").one_of(&["\"set\""]);
+            let help = help.help("`[control] probing_datum = \"refuse\"` compiles no such program");
+            core.refuse(span, codes::S9024::corrects_work_offset_by_what(&name, &which).help(help))
+        }
+        None => core.refuse(
+            span,
+            codes::S9024::corrects_work_offset_by_what_it_measures(&name, &which)
+                .answer(Answer::key("control", "probing_datum").one_of(&["\"set\""])),
+        ),
     }
 }

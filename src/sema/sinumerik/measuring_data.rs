@@ -2,6 +2,8 @@
 //!
 //! Source: S 6, P 3.1 (docs/sources.md).
 
+use crate::diag::{Answer, Help};
+
 /// What a call is told: kind, set values, tolerances, tools and probes, paths and feeds.
 const GIVEN: &str = "_MVAR _SETVAL _SETV _PRNUM _KNUM _KNUM1 _FA _TSA _VMS _NMSP _MA _MD _TUL _TLL _TDIF _TMV _TZL _TSL _K _EVNUM _ID \
     _CPA _CPO _STA1 _INCA _SZA _SZO _CORA _RA _RF _TNUM _TNAME _TENV _DLNUM _CALNUM _SPEED _CM _CBIT _CHBIT _CVAL _CALCM \
@@ -14,4 +16,11 @@ const RESULTS: &str = "_OVR _OVI _EV _MV _EVMVNUM _TXT";
 pub(super) fn find(name: &str) -> Option<bool> {
     let is_in = |list: &str| list.split_ascii_whitespace().any(|known| known == name);
     if is_in(RESULTS) { Some(true) } else { is_in(GIVEN).then_some(false) }
+}
+
+/// How to leave out what measures.
+pub(super) fn leave_out() -> Help {
+    Answer::key("control", "probing").one_of(&["\"leave-out\""]).help(
+        "leave out what measures: `[control] probing = \"leave-out\"`; what the program computes with afterwards is asked for",
+    )
 }

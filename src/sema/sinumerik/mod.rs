@@ -12,6 +12,8 @@ mod axis_order;
 mod axis_words;
 mod beside_path;
 mod block;
+mod block_words;
+mod call_forms;
 mod called_contours;
 mod callee;
 mod calls;
@@ -21,6 +23,7 @@ mod circle;
 mod compensation;
 mod compensation_rules;
 mod control_folders;
+mod conversions;
 mod corners;
 mod cycle_alarms;
 mod cycle_call;
@@ -38,17 +41,23 @@ mod feed;
 mod flow;
 mod foreign_codes;
 mod formula_functions;
+mod frame_functions;
 mod frame_statements;
 mod frames;
 mod g_functions;
 mod g_groups;
+mod given;
 mod kept;
 mod known_values;
 mod known_words;
 mod lane;
+mod language_procedures;
+mod left_behind;
 mod left_out;
-mod lost_change;
+mod levels;
+mod line;
 mod machine_place;
+mod machining;
 mod macros;
 mod measuring;
 mod measuring_data;
@@ -56,6 +65,7 @@ mod modal_call;
 mod moves;
 mod named_contour;
 mod named_words;
+mod names;
 mod nonmodal;
 mod offsets;
 mod parameters;
@@ -70,6 +80,7 @@ mod report;
 mod rotary;
 mod search_path;
 mod soft_approach;
+mod sorting;
 mod spindle;
 mod spindle_state;
 mod stand_in;
@@ -82,6 +93,7 @@ mod system_meanings;
 mod system_variables;
 mod tangent;
 mod tapping;
+mod targets;
 mod technology;
 mod threads;
 mod tool;
@@ -90,11 +102,10 @@ mod transformation;
 mod undercut_sizes;
 mod unexecuted;
 mod value;
+mod variables;
 mod vars;
 mod vocabulary;
 mod words;
-
-use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::codes;
 use crate::ir::contour::Sink;
@@ -103,21 +114,22 @@ use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
 use crate::parser::sinumerik::{SPLIT, parse_block, straight};
-use crate::parser::symbols::{Symbol, Symbols};
+use crate::parser::symbols::Symbols;
 use crate::sema::run::Where;
 use crate::text::{Span, SplitRules};
 
 use super::run::unexecuted::Blocks;
 use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
-use calls::Frame;
 use channel::Channel;
-use g_groups::GCodes;
+use externs::Externs;
 use lane::Lane;
+use levels::{Frame, PartEnds};
+use line::{Line, NextText};
 use macros::Sinumerik;
-use programs::{Listed, UnitKind, Units};
+use names::Names;
+use programs::{Listed, Units};
 use vars::Vars;
-use vocabulary::Meaning;
 use words::Words;
 
 pub(crate) use control_folders::FOLDERS;
@@ -195,18 +207,6 @@ impl Language for Sinumerik {
     }
 }
 
-/// Variables that were read before the program gave them a value, which was said.
-#[derive(Debug, Default)]
-struct Warned {
-    r: FxHashSet<u32>,
-    /// Elements of global variables.
-    kept: FxHashSet<(Symbol, usize)>,
-    /// Folders of the control of which it was said what stands for them.
-    copies: FxHashSet<&'static str>,
-    /// Variables without a value that the formula at hand has read.
-    unset: Vec<String>,
-}
-
 /// Files, call stack and findings of a run.
 type Core<'a> = run::Core<'a, Sinumerik>;
 
@@ -214,19 +214,10 @@ type Core<'a> = run::Core<'a, Sinumerik>;
 struct Run<'a> {
     channel: Channel<'a>,
     vars: Vars,
-    meanings: Vec<Option<Meaning>>,
-    vocabulary: &'static FxHashMap<&'static str, Meaning>,
-    gcodes: GCodes,
+    names: Names,
     units: Units,
     definitions_read: bool,
-    /// Programs by the file that calls them and the name that it calls them by.
-    found: FxHashMap<(usize, String), usize>,
-    /// The same of programs that are nowhere.
-    missing: FxHashSet<(usize, String)>,
-    /// The folder that CALLPATH adds to the search path.
-    call_path: Option<String>,
-    warned: Warned,
-    externs: Vec<externs::Extern>,
+    externs: Externs,
     /// Contours that CYCLE62 called.
     contours: called_contours::Contours,
     /// Nesting of texts that are executed.
@@ -245,16 +236,10 @@ impl<'a> Run<'a> {
         Run {
             channel: Channel::new(job, out),
             vars,
-            meanings: Vec::new(),
-            vocabulary: dictionary::words(),
-            gcodes: GCodes::new(),
+            names: Names::new(),
             units: Units::default(),
             definitions_read: false,
-            found: FxHashMap::default(),
-            missing: FxHashSet::default(),
-            call_path: None,
-            warned: Warned::default(),
-            externs: Vec::new(),
+            externs: Externs::default(),
             contours: called_contours::Contours::default(),
             depth: 0,
             machine: eval::Machine::new(value::RULES),
@@ -272,10 +257,11 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
-        let first = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, program);
-        let unit = self.main_unit(first);
-        self.refuse_known_words();
-        self.channel.core.begins_at(&self.channel.st.position.start());
+        let core = &mut self.channel.core;
+        let first = self.units.first_of(&core.job, &core.programs, program);
+        let unit = self.units.main_of(core, first);
+        entries::refuse_known_words(core);
+        core.begins_at(&self.channel.st.position.start());
         self.vars.enter();
         Level::main(program, Frame::main(unit))
     }
@@ -285,8 +271,10 @@ impl<'a> Interpreter<'a> for Run<'a> {
         if !self.channel.straight_block(block) {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.channel.lane = Lane::Closed;
-            self.execute_any(block, text);
-            self.channel.block_stop_ends();
+            self.execute_any(Line { block, text });
+            if self.channel.st.smoothing.block_ends() {
+                self.channel.send_smoothing();
+            }
             self.channel.lane = self.channel.open_lane();
         }
     }
@@ -298,7 +286,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     fn end_of_file(&mut self) {
         self.channel.lane = Lane::Closed;
-        self.file_over();
+        self.end_of_program_text();
     }
 
     fn unread_block(&mut self) {
@@ -308,15 +296,24 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn level_ends(&mut self) -> bool {
-        let at = self.channel.core.place().at;
-        if self.channel.core.levels.len() > 1 && self.ends_here(at) {
+        let at = self.channel.core.program().source.cursor.place().at;
+        if self.channel.core.levels.len() > 1
+            && let Some(part) = self.channel.core.part_ends(at)
+        {
+            match (part, &mut self.channel.capture) {
+                (PartEnds::Program, _) => self.leave_program(),
+                (PartEnds::Section { over: true }, Some(capture)) => {
+                    capture.level_ended(self.channel.core.levels.len())
+                }
+                (PartEnds::Section { .. }, _) => {}
+            }
             self.channel.lane = Lane::Closed;
             return true;
         }
-        let over = at >= self.units.list[self.unit()].end;
+        let over = at >= self.units.list[levels::unit(&self.channel.core.levels)].end;
         if over {
             self.channel.lane = Lane::Closed;
-            self.file_over();
+            self.end_of_program_text();
         }
         over
     }
@@ -328,189 +325,180 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn finish(&mut self) {
-        self.channel.report_lost_change();
+        self.channel.left.report_change(&mut self.channel.core);
         self.channel.core.report_no_change();
-        self.report_open_table();
-        self.report_open();
+        self.channel.report_open();
+        self.units.report_others(&mut self.channel.core);
     }
 }
 
 impl Run<'_> {
-    fn execute_any(&mut self, block: &Block, text: &[u8]) {
+    fn execute_any(&mut self, line: Line<'_>) {
+        let block = line.block;
         if self.channel.core.skips(block.skip) {
             return;
         }
         if let Some(span) = block.comment {
-            let comment = span.of(text);
+            let comment = span.of(line.text);
             self.channel.comment(comment);
             if block.stmt == Stmt::Empty && (self.channel.st.stored.is_some() || comment.starts_with(b"#")) {
                 self.channel.core.here.origin.loc.span = span.shifted(self.channel.core.here.at);
-                let _ = self.stored_record(comment);
+                let _ = self.channel.stored_record(comment);
             }
         }
-        if block.stmt == Stmt::Empty || self.channel.iso && !self.iso_ends(block) {
+        if block.stmt == Stmt::Empty {
             return;
         }
+        if self.channel.iso {
+            self.channel.iso = !ends_iso(block);
+            if self.channel.iso {
+                return;
+            }
+        }
         if self.channel.st.stored.is_some() {
-            self.channel.note_stored_block();
+            self.channel.st.stored_block_begins(&self.channel.core);
         }
         if self.channel.curve_table.is_some() {
             let _ = self.table_block(block);
             return;
         }
         // What went wrong was reported; the next block may show more.
-        if self.statement(block, text).is_err() {
-            self.channel.begin_no_compensation();
+        if self.statement(line).is_err() {
+            self.channel.st.compensation.end_unselected(&mut self.channel.st.codes);
         }
     }
 
-    /// The main program of a file: an archive may begin with its subprograms.
-    fn main_unit(&mut self, first: usize) -> usize {
-        if self.units.list[first].kind == UnitKind::Main {
-            return first;
-        }
-        let _ = self.list_programs(0);
-        let main = self.units.list.iter().position(|unit| unit.kind == UnitKind::Main);
-        let unit = main.unwrap_or(first);
-        let start = self.units.list[unit].start;
-        let _ = self.channel.core.programs[0].source.cursor.seek(self.channel.core.job.sources, start);
-        unit
-    }
-
-    /// The program that runs.
-    fn unit(&self) -> usize {
-        self.channel.core.levels.last().map_or(0, |level| level.frame.unit)
-    }
-
-    /// Lists the programs of a file.
-    fn list_programs(&mut self, file: usize) -> std::io::Result<()> {
-        self.units.list_file(&self.channel.core.job, &mut self.channel.core.programs, file)
-    }
-
-    fn file_over(&mut self) {
-        let _ = self.channel.pending_must_be_done(Where::Block);
-        self.end_of_program_text();
-    }
-
-    /// G290 ends the ISO dialect; other words of it mean nothing here.
-    fn iso_ends(&mut self, block: &Block) -> bool {
-        let ends = |word: &Word| {
-            word.target == Target::Letter(b'G') && matches!(word.value, Value::Literal { value: 290.0, .. })
-        };
-        self.channel.iso = !block.words.iter().any(ends) && block.stmt != Stmt::Header;
-        !self.channel.iso
-    }
-
-    fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
+    fn statement(&mut self, line: Line<'_>) -> Outcome {
+        let block = line.block;
         match block.stmt {
-            Stmt::Empty => return Ok(()),
-            Stmt::Words => return self.words_block(block, text),
-            Stmt::Header => return self.header(),
-            Stmt::Bad => {
-                // A declaration that cannot be read is followed by others.
-                if declares(block.span.of(text)) {
-                    return Err(Reported);
-                }
-                self.begins_executing();
-                // Without the head of a loop or branch nobody knows where the program goes on.
-                if scan(text, &mut self.channel.core.symbols).structure.is_some() {
-                    self.channel.core.stop_run();
-                }
-                self.channel.st.position.lose(AxisSet::ALL);
-                self.channel.st.pair.drop_first();
-                self.channel.lost();
-                return Err(Reported);
-            }
-            Stmt::Def { kind, length, global } => return self.def_block(kind, length, global, block, text),
-            Stmt::Proc(_) => return self.proc_block(block, text),
-            Stmt::Extern(name) => return self.extern_block(name, block),
-            Stmt::Redef(_) => return Ok(()),
-            Stmt::Define(span) => {
-                self.channel.core.program_level().declares = true;
-                return self.define_macro(span.of(text), span);
-            }
+            Stmt::Words => return self.words_block(line),
+            Stmt::Empty
+            | Stmt::Redef(_)
+            | Stmt::Header
+            | Stmt::Bad
+            | Stmt::Def { .. }
+            | Stmt::Proc(_)
+            | Stmt::Extern(_)
+            | Stmt::Define(_) => return self.declaration(line),
             _ => {}
         }
-        self.begins_executing();
+        let core = &mut self.channel.core;
+        core.begins_executing();
         match block.stmt {
-            Stmt::IfJump => self.if_jumps(block, text),
-            Stmt::Goto(jump) => self.jump(jump, block, text),
+            Stmt::IfJump => self.jump_by_arms(None, line),
+            Stmt::Goto(jump) => self.jump(jump, line),
             Stmt::GotoStart => {
-                self.channel.core.says_goto_start(block.span);
+                core.say_once(block.span, codes::S8049::gotos_is_left_out());
                 Ok(())
             }
-            Stmt::Case(formula) => self.case_block(formula, block, text),
-            Stmt::Repeat { from, to, times } => self.repeat(from, to, times, block, text),
-            Stmt::RepeatBlock { label, times } => self.repeat_block(label, times, block, text),
+            Stmt::Case(formula) => self.jump_by_arms(Some(formula), line),
+            Stmt::Repeat { from, to, times } => {
+                let (from, stop) = self.units.section(core, from, to, block.span)?;
+                self.repeat(from, stop, times, line)
+            }
+            Stmt::RepeatBlock { label, times } => {
+                let mark = self.units.section_label(core, label, block.span)?;
+                self.repeat(mark.place, mark.after.at, times, line)
+            }
             Stmt::Call(form) => {
                 self.channel.pending_must_be_done(block.span)?;
-                let result = self.call_form(form, block, text);
+                let result = self.call_form(form, line).and_then(|text| self.execute_next(text));
                 if result.is_err() {
                     self.channel.st.position.lose(AxisSet::ALL);
                     self.channel.lost();
                 }
                 result
             }
-            Stmt::Sync(span) => self.synchronized_action(block, text, span),
-            _ => self.structure(block, text),
+            Stmt::Sync(span) => self.synchronized_action(line, span),
+            _ => self.structure(line),
         }
     }
 
-    /// Reads the block again, now that more is known.
-    fn again(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let line = if text.is_empty() { self.block_text(block) } else { text.to_vec() };
-        self.execute_line(&line, block.span)
-    }
-
-    fn block_text(&self, block: &Block) -> Vec<u8> {
-        self.channel.core.job.sources.bytes(self.channel.core.here.file, block.span.shifted(self.channel.core.here.at))
-    }
-
-    /// Executes a text as a block: EXECSTRING, or a block with macros.
-    fn execute_line(&mut self, line: &[u8], span: Span) -> Outcome {
-        if self.depth >= MOST_TEXTS {
-            self.channel.core.stop_run();
-            return self.channel.core.refuse(span, codes::P4003::texts_that_execute_texts_are_nested_too());
+    /// Heads of programs, declarations, and what cannot be read.
+    fn declaration(&mut self, line: Line<'_>) -> Outcome {
+        let (block, text) = (line.block, line.text);
+        let core = &mut self.channel.core;
+        match block.stmt {
+            Stmt::Header => {
+                let Some(ends) = self.units.header(core)? else { return Ok(()) };
+                self.end_of_program_text();
+                if ends.blocks_behind {
+                    let fault = codes::S2013::blocks_stand_behind_that_closes_program();
+                    return self.channel.core.refuse(Where::Block, fault);
+                }
+                Ok(())
+            }
+            // A declaration that cannot be read is followed by others.
+            Stmt::Bad if declares(block.span.of(text)) => Err(Reported),
+            Stmt::Bad => {
+                core.begins_executing();
+                // Without the head of a loop or branch nobody knows where the program goes on.
+                if scan(text, &mut core.symbols).structure.is_some() {
+                    core.stop_run();
+                }
+                self.channel.lose_all();
+                Err(Reported)
+            }
+            Stmt::Def { kind, length, global } => self.def_block(kind, length, global, line),
+            Stmt::Proc(_) => self.proc_block(line),
+            Stmt::Extern(name) => self.externs.declare(core, name, block),
+            Stmt::Define(span) => {
+                levels::program(&mut core.levels).declares = true;
+                self.names.define_macro(span.of(text), span, &self.vars, &mut self.channel)
+            }
+            _ => Ok(()),
         }
-        self.depth += 1;
-        let result = self.execute_text(line, span);
-        self.depth -= 1;
+    }
+
+    fn words_block(&mut self, line: Line<'_>) -> Outcome {
+        let mut words = self.words.take().unwrap_or_else(|| Box::new(Words::new()));
+        words.clear();
+        let result = self.block_of_words(&mut words, line).and_then(|text| self.execute_next(text));
+        if result.is_err() {
+            self.channel.lose_block(&mut self.names, &words, line.block);
+        }
+        self.words = Some(words);
         result
     }
 
-    fn execute_text(&mut self, line: &[u8], span: Span) -> Outcome {
-        let loc = self.channel.core.loc(span);
-        self.channel.core.budget.text(line.len());
-        let line = self.channel.core.expanded(line).unwrap_or_else(|| line.to_vec());
+    /// Executes a text as a block: EXECSTRING, a block with macros, or what stands for a program.
+    fn execute_next(&mut self, text: Option<NextText>) -> Outcome {
+        let Some(NextText { text, span }) = text else { return Ok(()) };
+        let core = &mut self.channel.core;
+        if self.depth >= MOST_TEXTS {
+            core.stop_run();
+            return core.refuse(span, codes::P4003::texts_that_execute_texts_are_nested_too());
+        }
+        let loc = core.loc(span);
+        core.budget.text(text.len());
+        let text = core.language.expanded(&core.symbols, &text).unwrap_or(text);
         let mut block = Block::default();
-        parse_block(&line, &mut block, &mut self.channel.core.symbols, &mut self.channel.core.problems);
-        self.channel.core.here.rewritten = true;
-        self.channel.core.here.origin.loc = loc;
-        self.channel.core.report_problems();
-        match block.stmt {
-            Stmt::Words => {
-                // The words of the block around are in use.
-                let kept = self.words.take();
-                let result = self.words_block(&block, &line);
-                if kept.is_some() {
-                    self.words = kept;
-                }
-                result
-            }
+        parse_block(&text, &mut block, &mut core.symbols, &mut core.problems);
+        core.here.rewritten = true;
+        core.here.origin.loc = loc;
+        core.report_problems();
+        let line = Line { block: &block, text: &text };
+        self.depth += 1;
+        let result = match block.stmt {
+            Stmt::Words => self.words_block(line),
             Stmt::Empty => Ok(()),
             Stmt::Bad => Err(Reported),
-            Stmt::Call(form) => self.call_form(form, &block, &line),
+            Stmt::Call(form) => self.call_form(form, line).and_then(|text| self.execute_next(text)),
             // The program goes on at the target, as behind a jump that stands there.
-            Stmt::IfJump => self.if_jumps(&block, &line),
-            Stmt::Goto(jump) => self.jump(jump, &block, &line),
-            _ => self.channel.core.refuse(span, codes::S2013::control_structure_or_declaration_cannot_be_executed()),
-        }
+            Stmt::IfJump => self.jump_by_arms(None, line),
+            Stmt::Goto(jump) => self.jump(jump, line),
+            _ => core.refuse(span, codes::S2013::control_structure_or_declaration_cannot_be_executed()),
+        };
+        self.depth -= 1;
+        result
     }
+}
 
-    /// The words of the block without the procedure that was done.
-    fn words_again(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        self.run_words_of(w, block)
-    }
+/// G290 ends the ISO dialect, and so does the next program; other words of it mean nothing here.
+fn ends_iso(block: &Block) -> bool {
+    let ends =
+        |word: &Word| word.target == Target::Letter(b'G') && matches!(word.value, Value::Literal { value: 290.0, .. });
+    block.stmt == Stmt::Header || block.words.iter().any(ends)
 }
 
 /// Does a statement that cannot be read begin like a declaration?

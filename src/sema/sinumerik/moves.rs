@@ -21,7 +21,7 @@ impl Channel<'_> {
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
         if !matches!(path, Path::Rapid) {
-            self.cuts_in_between();
+            self.left.cuts(self.capture.is_some());
         }
         let somewhere = self.st.touched.is_some() || !self.st.position.left_by_calls().is_empty();
         if somewhere && self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
@@ -33,14 +33,14 @@ impl Channel<'_> {
         if self.soft.is_some() && self.soft_element(end, &path) {
             return;
         }
-        self.note_outer();
+        self.st.offsets.note_move(&self.core);
         if self.st.plane() != Plane::Xy {
-            self.length_acts_along_z();
+            self.st.length_acts_along_z(&self.core);
         }
         if self.st.stored.is_some() {
-            self.note_stored(end, &path);
+            self.st.note_stored(&self.core, end, &path);
         }
-        self.note_heading(end, &path);
+        self.st.heading.follow(&self.st.position, end, &path);
         let mv = Move { end: *end, path, side: self.st.side_of_move(), coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(end);
@@ -70,7 +70,10 @@ impl Channel<'_> {
         self.st.offsets.prints_offset();
         let mut machine = self.st.ctx.frame.apply(end);
         for axis in machine.known().iter() {
-            let Ok(place) = self.machine_place(axis, machine.get(axis).unwrap_or(0.0), Where::Block) else { return };
+            let Ok(place) = self.st.machine_place(&self.core, axis, machine.get(axis).unwrap_or(0.0), Where::Block)
+            else {
+                return;
+            };
             machine.set(axis, place);
         }
         let mv = Move { end: machine, path, side: Side::None, coords: Coords::Machine };
@@ -107,16 +110,17 @@ impl Channel<'_> {
                 let letter = axis.letter();
                 self.core.say_once(given.span, codes::S8044::way_of_to_machine_position_is_left(&letter));
             }
-            let mut value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
+            let mut value =
+                if axis.is_rotary() { given.value } else { self.st.length(&self.core, axis, given, false)? };
             if !self.core.job.settings.control.sinumerik.machine_moves_without_tool {
                 tip.set(axis, value);
-                value = self.machine_place(axis, value, given.span)?;
+                value = self.st.machine_place(&self.core, axis, value, given.span)?;
             }
             end.set(axis, value);
         }
         self.leaves_touched(end.known(), code == GCode::G0)?;
         self.st.offsets.moves_in_machine();
-        self.machine_moves_beside_g500(span);
+        self.st.offsets.machine_moves_beside_g500(&self.core, span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
         if self.core.resolves() {
@@ -132,8 +136,10 @@ impl Channel<'_> {
             let span = w.beside.positioning[0].given.span;
             return self.core.refuse(span, codes::S9008::pos_beside_path_motion());
         }
-        if let Some(first) = w.beside.positioning.first() {
-            self.no_positioning_in_contour(first.given.span)?;
+        // An axis that moves by itself is no path.
+        if let (Some(first), Some(capture)) = (w.beside.positioning.first(), &mut self.capture) {
+            let fault = |name: &str| codes::S2091::positioning_axis_moves_in_contour(&name);
+            return capture.refuse(&self.core, first.given.span, fault);
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
             return self.core.refuse(span, codes::S9011::positioning_axis_in_machine_coordinates());
@@ -147,7 +153,7 @@ impl Channel<'_> {
                     codes::S9008::is_positioning_axis_while_frame_is_turned(&axis.letter()),
                 );
             }
-            let value = self.target(axis, positioning.given)?;
+            let value = self.st.target(&self.core, axis, positioning.given)?;
             let Some(feed) = self.st.feed.of_axis(axis) else {
                 return self.core.refuse(
                     positioning.given.span,

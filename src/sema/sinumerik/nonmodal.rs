@@ -11,66 +11,60 @@ use crate::text::Span;
 use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// Longest dwell.
 const MOST_SECONDS: f64 = 1e5;
 
-impl Run<'_> {
-    /// A code of group 2.
-    pub(super) fn nonmodal_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
+impl Channel<'_> {
+    /// A code of group 2. True if it moved the tool as a block of moves does.
+    pub(super) fn nonmodal_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome<bool> {
         let mut moved = false;
         if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
-            return self.channel.core.not_alone(suppressed);
+            return self.core.not_alone(suppressed);
         }
         if code != GCode::G4 {
-            self.channel.st.threads.end_chain();
+            self.st.threads.end_chain();
         }
         match code {
             GCode::G4 => {
                 if let Some(m) = w.m.first() {
-                    return self.channel.core.not_alone(m.span);
+                    return self.core.not_alone(m.span);
                 }
-                self.channel.dwell(span, w)?;
+                self.dwell(span, w)?;
             }
             GCode::G63 => {
-                self.channel.core.say_once(span, codes::S8025::g63_tap_needs_compensating_chuck_on_target());
-                self.channel.technology(w)?;
-                self.channel.early_functions(w)?;
+                self.core.say_once(span, codes::S8025::g63_tap_needs_compensating_chuck_on_target());
+                self.technology(w)?;
+                self.early_functions(w)?;
                 moved = true;
-                let feed = self.channel.cutting_feed(w)?;
-                let end = self.channel.targets(w)?;
-                self.channel.pending_must_be_done(span)?;
+                let feed = self.cutting_feed(w)?;
+                let end = self.st.targets(&self.core, w)?;
+                self.pending_must_be_done(span)?;
                 if !end.known().is_empty() {
-                    self.channel.send(&end, Path::Line(feed));
+                    self.send(&end, Path::Line(feed));
                 }
                 w.beside.left_out.clear();
             }
             GCode::G74 | GCode::G75 => {
-                self.channel.technology(w)?;
-                self.channel.early_functions(w)?;
-                self.channel.fixed_point(code, span, w)?;
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.fixed_point(code, span, w)?;
                 w.beside.machine.clear();
                 w.beside.left_out.clear();
             }
             _ => {
-                let rapid = self.channel.st.is(GCode::G0);
-                let before = Path::straight(self.channel.st.feed.word().filter(|_| !rapid));
-                self.channel.technology(w)?;
-                self.channel.early_functions(w)?;
-                self.channel.soft_block(code, span, w, before)?;
+                let rapid = self.st.is(GCode::G0);
+                let before = Path::straight(self.st.feed.word().filter(|_| !rapid));
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.soft_block(code, span, w, before)?;
             }
         }
-        self.channel.core.nothing_left(w)?;
-        self.late_functions(w)?;
-        if moved && !self.channel.core.has_ended() {
-            self.call_modal()?;
-        }
-        Ok(())
+        self.core.nothing_left(w)?;
+        Ok(moved)
     }
-}
 
-impl Channel<'_> {
     /// STARTFIFO and STOPFIFO only steer the buffer of the control.
     pub(super) fn buffer_code(&mut self, code: GCode, span: Span, w: &Words) -> Outcome {
         let axis = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span);
@@ -78,7 +72,7 @@ impl Channel<'_> {
             return self.core.not_alone(other);
         }
         self.core.nothing_left(w)?;
-        self.core.dynamics_are_left_out(span);
+        self.core.say_once(span, codes::S8002::words_that_only_shape_speed());
         self.st.codes.activate(code);
         Ok(())
     }
@@ -90,7 +84,7 @@ impl Channel<'_> {
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
             (None, Some(s)) => {
-                self.left_speed_is_known("this waits for turns of the spindle")?;
+                self.left.speed_is_known(&self.core, self.capture.is_some(), "this waits for turns of the spindle")?;
                 let turns = self.st.spindles.fixed_turns(s.spindle);
                 let speed = turns.filter(|speed| *speed > 0.0);
                 match speed {
@@ -107,7 +101,7 @@ impl Channel<'_> {
         if !(0.0..=MOST_SECONDS).contains(&seconds) {
             return self.core.refuse(span, codes::P2003::dwell_lies_between_0());
         }
-        if !self.waits_in_tap(seconds) {
+        if !self.st.taps.wait(seconds) {
             self.function(Function::Dwell(seconds));
         }
         Ok(())
@@ -132,7 +126,7 @@ impl Channel<'_> {
         let number = if code == GCode::G75 { self.core.fixed_point_number(w)? } else { 0 };
         let mut named: Vec<Axis> = w.axes.iter().collect();
         for machine_axis in &w.beside.machine {
-            named.extend(self.machine_axis(*machine_axis)?);
+            named.extend(self.axis_names.machine_axis(&self.core, *machine_axis)?);
         }
         let machine = &self.core.job.settings.machine;
         let (points, key) = match number {

@@ -4,10 +4,14 @@
 
 use crate::diag::{Answer, codes};
 use crate::ir::{Function, Side};
+use crate::machine::Axis;
+use crate::machine::settings::Datums;
+use crate::sema::common::position::Position;
 use crate::sema::run::{OffsetName, Where};
 
-use super::frames::FrameValue;
+use super::frames::{FrameValue, Frames};
 use super::g_groups::{GCode, Group};
+use super::state::{Saved, State};
 use super::{Channel, Core, Outcome};
 
 /// What printed positions count from.
@@ -84,6 +88,97 @@ impl OffsetUse {
     pub fn prints_offset(&mut self) {
         self.printed = true;
     }
+
+    /// Something is printed that counts from the basic system; a later offset of the machine would count from elsewhere.
+    #[inline]
+    pub fn note_move(&mut self, core: &Core<'_>) {
+        if self.outer == Outer::Basic && self.moved_from_basic != FromBasic::UnderG500 {
+            self.move_from_basic(core);
+        }
+    }
+
+    fn move_from_basic(&mut self, core: &Core<'_>) {
+        if !self.under_g500 {
+            self.moved_from_basic = FromBasic::AtStart;
+            return;
+        }
+        self.moved_from_basic = FromBasic::UnderG500;
+        core.say_once(Where::Block, codes::S8011::positions_under_g500_are_printed());
+        self.machine_moves_beside_g500(core, Where::Block);
+    }
+
+    /// Positions under G500 lie from the offset of the target, those of G53 from its machine zero: together they fit only
+    /// where the basic frame is known.
+    pub(super) fn machine_moves_beside_g500(&self, core: &Core<'_>, place: impl Into<Where>) {
+        let both = self.machine_moved && self.moved_from_basic == FromBasic::UnderG500;
+        if !both || core.job.settings.datums.basic.is_some() || !core.job.diags.first_time(codes::S8190, ()) {
+            return;
+        }
+        let help = "give the basic frame: `[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`";
+        let help = Answer::datum("basic").help(help);
+        core.report(codes::S8190::moves_in_machine_coordinates().at(core.loc(place)).help(help));
+    }
+
+    /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
+    /// way between the two.
+    pub fn resolve(&mut self, core: &Core<'_>, position: &mut Position, place: impl Into<Where>) -> Outcome {
+        self.resolved = true;
+        if self.printed { mixed(core, position, place) } else { Ok(()) }
+    }
+}
+
+impl State {
+    /// G500: positions count from the basic system, the machine zero shifted by the basic frame.
+    fn basic_system(&mut self, core: &Core<'_>, place: impl Into<Where>) {
+        let place = place.into();
+        let datums = &core.job.settings.datums;
+        if self.offsets.resolved || !self.offsets.printed && datums.basic.is_none() {
+            // Everything that is printed counts from there.
+            self.offsets.under_g500 = true;
+            return self.counts_from(core, Outer::Basic, Some(FrameValue::default()));
+        }
+        if let Some(basic) = &datums.basic {
+            let frame = FrameValue::shifted(&basic.iter().map(|(axis, value)| (*axis, *value)).collect::<Vec<_>>());
+            core.say_once(place, codes::S8011::under_g500_positions_are_printed_in_machine());
+            return self.counts_from(core, Outer::Machine, Some(frame));
+        }
+        // Seen from a printed offset whose place is known, the basic system lies the other way.
+        if let Outer::Printed(number) = self.offsets.outer()
+            && let Some(values) = datums.offsets.get(&offset_word(number))
+        {
+            let back: Vec<_> = values.iter().map(|(axis, value)| (*axis, -*value)).collect();
+            let word = offset_word(number);
+            core.say_once(place, codes::S8011::positions_under_g500_are_printed_in_through(&word));
+            return self.counts_from(core, Outer::Printed(number), Some(FrameValue::shifted(&back)));
+        }
+        self.counts_from(core, Outer::Unrelated, None);
+    }
+
+    /// Positions count from another place, or through another frame.
+    pub(super) fn counts_from(&mut self, core: &Core<'_>, outer: Outer, frame: Option<FrameValue>) {
+        if outer != self.offsets.outer() {
+            self.position.clear();
+        }
+        self.offsets.outer = outer;
+        self.frames.set_settable(frame);
+        self.refresh_frame(core);
+    }
+
+    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
+    fn restore_offset_frame(&mut self, core: &Core<'_>, frame: Option<FrameValue>) {
+        let chosen = core.job.settings.control.sinumerik.save_restores_offset;
+        if chosen == Some(true) {
+            self.frames.set_settable(frame);
+        } else if chosen.is_none() {
+            let found = codes::S9018::program_with_save_changed_frame_of_work().at(core.here.origin.loc);
+            core.report(
+                found.help(
+                    Answer::key("control", "md10617")
+                        .help("set `[control] md10617`, or select the offset again in the calling program"),
+                ),
+            );
+        }
+    }
 }
 
 impl Channel<'_> {
@@ -99,15 +194,15 @@ impl Channel<'_> {
         }
         if let Some(frame) = self.st.frames.written(number).cloned() {
             self.core.resolved_offset_note(place);
-            self.resolves_offsets(place)?;
-            self.counts_from(Outer::Basic, Some(frame));
+            self.st.offsets.resolve(&self.core, &mut self.st.position, place)?;
+            self.st.counts_from(&self.core, Outer::Basic, Some(frame));
             return Ok(());
         }
         let mapped = self.core.job.settings.datums.words.get(&offset_word(number)).copied();
         let printed = match (mapped, number) {
             (Some(printed), _) => printed,
             (None, 0) => {
-                self.basic_system(place);
+                self.st.basic_system(&self.core, place);
                 return Ok(());
             }
             (None, 1..=9) => number,
@@ -120,10 +215,10 @@ impl Channel<'_> {
         if selected && self.st.offsets.outer() != Outer::Printed(number) {
             self.st.position.end_start();
         }
-        self.counts_from(Outer::Printed(number), None);
+        self.st.counts_from(&self.core, Outer::Printed(number), None);
         self.st.offsets.printed = true;
         if self.st.offsets.resolved {
-            return self.mixed_offsets(place);
+            return mixed(&self.core, &mut self.st.position, place);
         }
         let moved = std::mem::take(&mut self.st.offsets.moved_from_basic);
         if moved == FromBasic::UnderG500 {
@@ -142,82 +237,25 @@ impl Channel<'_> {
         Ok(())
     }
 
-    /// G500: positions count from the basic system, the machine zero shifted by the basic frame.
-    fn basic_system(&mut self, place: impl Into<Where>) {
-        let place = place.into();
-        let datums = &self.core.job.settings.datums;
-        if self.st.offsets.resolved || !self.st.offsets.printed && datums.basic.is_none() {
-            // Everything that is printed counts from there.
-            self.st.offsets.under_g500 = true;
-            return self.counts_from(Outer::Basic, Some(FrameValue::default()));
+    /// What SAVE kept of the call comes back.
+    pub(super) fn restore(&mut self, saved: Saved) {
+        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
+        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
+        self.st.codes = saved.codes;
+        self.st.smoothing.restore(saved.smoothing);
+        self.st.frames.set_programmable(saved.frames.programmable);
+        self.st.set_plane(plane);
+        if !self.st.is(offset) {
+            // The work offset of the call comes back, whatever MD 10617 says.
+            let _: Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
+        } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
+            self.st.restore_offset_frame(&self.core, saved.frames.settable);
         }
-        if let Some(basic) = &datums.basic {
-            let frame = FrameValue::shifted(&basic.iter().map(|(axis, value)| (*axis, *value)).collect::<Vec<_>>());
-            self.core.say_once(place, codes::S8011::under_g500_positions_are_printed_in_machine());
-            return self.counts_from(Outer::Machine, Some(frame));
+        self.st.refresh_frame(&self.core);
+        if changed {
+            self.st.feed_mode_changed();
         }
-        // Seen from a printed offset whose place is known, the basic system lies the other way.
-        if let Outer::Printed(number) = self.st.offsets.outer()
-            && let Some(values) = datums.offsets.get(&offset_word(number))
-        {
-            let back: Vec<_> = values.iter().map(|(axis, value)| (*axis, -*value)).collect();
-            let word = offset_word(number);
-            self.core.say_once(place, codes::S8011::positions_under_g500_are_printed_in_through(&word));
-            return self.counts_from(Outer::Printed(number), Some(FrameValue::shifted(&back)));
-        }
-        self.counts_from(Outer::Unrelated, None);
-    }
-
-    /// Positions count from another place, or through another frame.
-    pub(super) fn counts_from(&mut self, outer: Outer, frame: Option<FrameValue>) {
-        if outer != self.st.offsets.outer() {
-            self.st.position.clear();
-        }
-        self.st.offsets.outer = outer;
-        self.st.frames.set_settable(frame);
-        self.refresh_frame();
-    }
-
-    /// Something is printed that counts from the basic system; a later offset of the machine would count from elsewhere.
-    #[inline]
-    pub(super) fn note_outer(&mut self) {
-        if self.st.offsets.outer() == Outer::Basic && self.st.offsets.moved_from_basic != FromBasic::UnderG500 {
-            self.moves_from_basic();
-        }
-    }
-
-    fn moves_from_basic(&mut self) {
-        if !self.st.offsets.under_g500 {
-            self.st.offsets.moved_from_basic = FromBasic::AtStart;
-            return;
-        }
-        self.st.offsets.moved_from_basic = FromBasic::UnderG500;
-        self.core.say_once(Where::Block, codes::S8011::positions_under_g500_are_printed());
-        self.machine_moves_beside_g500(Where::Block);
-    }
-
-    /// Positions under G500 lie from the offset of the target, those of G53 from its machine zero: together they fit only
-    /// where the basic frame is known.
-    pub(super) fn machine_moves_beside_g500(&self, place: impl Into<Where>) {
-        let both = self.st.offsets.machine_moved && self.st.offsets.moved_from_basic == FromBasic::UnderG500;
-        if !both || self.core.job.settings.datums.basic.is_some() || !self.core.job.diags.first_time(codes::S8190, ()) {
-            return;
-        }
-        let help = "give the basic frame: `[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`";
-        let help = Answer::datum("basic").help(help);
-        self.core.report(codes::S8190::moves_in_machine_coordinates().at(self.core.loc(place)).help(help));
-    }
-
-    /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
-    /// way between the two.
-    pub(super) fn resolves_offsets(&mut self, place: impl Into<Where>) -> Outcome {
-        self.st.offsets.resolved = true;
-        if self.st.offsets.printed { self.mixed_offsets(place) } else { Ok(()) }
-    }
-
-    pub(super) fn mixed_offsets(&mut self, place: impl Into<Where>) -> Outcome {
-        self.st.position.clear();
-        self.core.refuse(place, codes::S9017::program_uses_work_offset_that_it_writes())
+        self.send_smoothing();
     }
 }
 
@@ -262,6 +300,23 @@ impl Core<'_> {
 
     pub(super) fn resolved_offset_note(&self, place: impl Into<Where>) {
         self.say_once(place, codes::S8012::work_offset_that_program_writes_itself());
+    }
+}
+
+fn mixed(core: &Core<'_>, position: &mut Position, place: impl Into<Where>) -> Outcome {
+    position.clear();
+    core.refuse(place, codes::S9017::program_uses_work_offset_that_it_writes())
+}
+
+impl Frames {
+    /// A work offset as far as it is known: written by the program, or given under `[datums]`.
+    pub(super) fn offset_of(&self, datums: &Datums, number: u8) -> Option<FrameValue> {
+        if let Some(frame) = self.written(number) {
+            return Some(frame.clone());
+        }
+        let values = datums.offsets.get(&offset_word(number))?;
+        let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
+        Some(FrameValue::shifted(&values))
     }
 }
 

@@ -3,158 +3,99 @@
 //! Source: S 5.6 (docs/sources.md).
 
 use crate::diag::{Label, codes};
-use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Variable};
+use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, Target, TypeName, Variable};
 use crate::parser::symbols::Symbol;
-use crate::text::Span;
 
-use super::calls::FrameKind;
-use super::value::{MOST_TEXT, Val, type_name};
-use super::vars::{Argument, Reference, Slot, Var};
+use super::conversions::{ASSIGNED, says_negative_half};
+use super::levels::{self, FrameKind};
+use super::line::Line;
+use super::value::{MOST_TEXT, Val, r_index, type_name};
+use super::vars::{Argument, Reference, Slot, Var, Vars};
 use super::{Core, Outcome, Reported, Run};
 
 impl Run<'_> {
     /// Evaluates the arguments of a call.
-    pub(super) fn arguments(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<Vec<Argument>> {
-        let formulas: Vec<Formula> = block.arguments(args).to_vec();
+    pub(super) fn arguments(&mut self, args: Option<Args>, line: Line<'_>) -> Outcome<Vec<Argument>> {
+        let formulas = line.arguments_of(args);
         let mut list = Vec::with_capacity(formulas.len());
         for formula in formulas {
-            let reference = self.reference(formula, block, text)?;
+            let reference = self.reference(*formula, line)?;
             let array = match reference {
                 Some(Reference::Variable(slot)) => self.vars.get(slot).is_some_and(|var| !var.sizes.is_empty()),
                 _ => false,
             };
-            let value = if array { Val::Missing } else { self.eval(formula, block, text)? };
+            let value = if array { Val::Missing } else { self.eval(*formula, line)? };
             list.push(Argument { value, reference, loc: self.channel.core.loc(formula.span) });
         }
         Ok(list)
     }
 
     /// The variable that a formula is, if it is nothing else.
-    pub(super) fn reference(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Option<Reference>> {
-        Ok(match block.formula(formula) {
-            [Op::R(n, _)] => Some(Reference::R(*n)),
-            [Op::Name(name, _)] => self.known_variable(*name).map(Reference::Variable),
-            [indices @ .., Op::Index(base, count, span)] if indices.len() == *count as usize => {
-                let mut values = Vec::with_capacity(indices.len());
-                for op in indices {
-                    let one = Block { ops: vec![*op], ..Block::default() };
-                    let formula = Formula { from: 0, to: 1, span: *span };
-                    values.push(self.eval(formula, &one, text)?);
-                }
-                match base {
-                    Base::Letter(b'R') => Some(Reference::R(self.channel.core.r_index(&values, *span)?)),
-                    Base::Name(name) => match self.known_variable(*name) {
-                        Some(slot) => self.element(slot, &values, *span)?,
-                        None => None,
-                    },
-                    Base::Letter(letter) => match self.letter_variable(*letter) {
-                        Some(slot) => self.element(slot, &values, *span)?,
-                        None => None,
-                    },
-                    Base::System(_) => None,
-                }
-            }
-            _ => None,
-        })
-    }
-
-    fn element(&self, slot: Slot, values: &[Val], span: Span) -> Outcome<Option<Reference>> {
-        let indices = self.channel.core.indices(values, span)?;
-        let offset = self.vars.get(slot).and_then(|var| var.offset(&indices));
-        Ok(offset.map(|at| Reference::Element(slot, at)))
-    }
-
-    /// Sets a variable that is given by reference to a whole number.
-    pub(super) fn set_reference(&mut self, reference: Reference, value: i32) {
-        let (slot, at) = match reference {
-            Reference::R(n) => {
-                self.channel.core.job.trail.returns();
-                return self.vars.set_r(n, f64::from(value));
-            }
-            Reference::Variable(slot) => (slot, 0),
-            Reference::Element(slot, at) => (slot, at),
+    pub(super) fn reference(&mut self, formula: Formula, line: Line<'_>) -> Outcome<Option<Reference>> {
+        let (indices, base, span) = match line.ops(formula) {
+            [Op::R(n, _)] => return Ok(Some(Reference::R(*n))),
+            [Op::Name(name, _)] => return Ok(self.known_variable(*name).map(Reference::Variable)),
+            [indices @ .., Op::Index(base, count, span)] if indices.len() == *count as usize => (indices, *base, *span),
+            _ => return Ok(None),
         };
-        self.channel.core.job.trail.returns();
-        let Some(var) = self.vars.get_mut(slot) else { return };
-        let Ok(value) = Val::Int(value).converted(var.kind) else { return };
-        if let Some(element) = var.values.get_mut(at) {
-            *element = value;
-            var.kept.knows(at);
-            var.lost = false;
+        let mut values = Vec::with_capacity(indices.len());
+        for op in indices {
+            let one = Block { ops: vec![*op], ..Block::default() };
+            values.push(self.eval(Formula { from: 0, to: 1, span }, Line { block: &one, text: line.text })?);
         }
-    }
-
-    pub(super) fn give_back(&mut self, references: &[(Symbol, Reference)]) {
-        if !references.is_empty() {
-            self.channel.core.job.trail.returns();
-        }
-        for (name, reference) in references {
-            let Some(own) = self.vars.of_level(*name) else { continue };
-            let Some(value) = own.values.first().cloned() else { continue };
-            match *reference {
-                Reference::R(n) => self.vars.set_r(n, value.number().unwrap_or(0.0)),
-                Reference::Variable(slot) => {
-                    let (values, kept) = (own.values.clone(), own.kept.clone());
-                    if let Some(var) = self.vars.get_mut(slot) {
-                        (var.values, var.kept) = (values, kept);
-                    }
-                }
-                Reference::Element(slot, at) => {
-                    if let Some(var) = self.vars.get_mut(slot)
-                        && let Some(element) = var.values.get_mut(at)
-                    {
-                        *element = value;
-                        var.kept.knows(at);
-                    }
-                }
+        let slot = match base {
+            Base::Letter(b'R') => {
+                return self.channel.core.accept(span, r_index(&values)).map(|n| Some(Reference::R(n)));
             }
+            Base::Name(name) => self.known_variable(name),
+            Base::Letter(letter) => self.vars.letter(letter, &self.channel.core.symbols),
+            Base::System(_) => None,
+        };
+        match slot {
+            Some(slot) => self.channel.core.accept(span, self.vars.element(slot, &values)),
+            None => Ok(None),
         }
     }
 
     /// PROC: the arguments of the call become variables.
-    pub(super) fn proc_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let level = self.channel.core.program_level();
+    pub(super) fn proc_block(&mut self, line: Line<'_>) -> Outcome {
+        let (block, core) = (line.block, &mut self.channel.core);
+        let level = levels::program(&mut core.levels);
         if level.executed {
-            return self.channel.core.refuse(block.span, codes::S2015::proc_stands_behind_executed_blocks());
+            return core.refuse(block.span, codes::S2015::proc_stands_behind_executed_blocks());
         }
         if std::mem::replace(&mut level.declares, true) {
             // Its parameters are defined all the same: what reads them is right.
-            let _: Outcome = self.channel.core.refuse(block.span, codes::S2015::proc_stands_inside_definition_part());
+            core.say(block.span, codes::S2015::proc_stands_inside_definition_part());
         }
-        let level = self.channel.core.program_level();
-        let arguments = level.arguments.take().unwrap_or_default();
-        let (in_main, further_pass) = (matches!(level.kind, FrameKind::Main), level.further_pass);
-        let save = block.words.iter().any(|word| match word.target {
-            crate::parser::sinumerik::ast::Target::Name(name) => self.channel.core.symbols.name(name) == "SAVE",
-            _ => false,
-        });
-        self.check_extern(block);
-        if save {
-            let state = self.channel.st.save();
-            if let FrameKind::Program { saved, .. } = &mut self.channel.core.program_level().kind {
-                *saved = Some(Box::new(state));
-            }
+        let unit = levels::unit(&core.levels);
+        let level = levels::program(&mut core.levels);
+        let (arguments, further_pass) = (level.arguments.take().unwrap_or_default(), level.further_pass);
+        self.externs.check(core, &self.units.list[unit].name, block);
+        let is_save = |name: Symbol| core.symbols.name(name) == "SAVE";
+        if block.words.iter().any(|word| matches!(word.target, Target::Name(name) if is_save(name)))
+            && let FrameKind::Program { saved, .. } = &mut levels::program(&mut core.levels).kind
+        {
+            *saved = Some(Box::new(self.channel.st.save()));
         }
         if further_pass {
             return Ok(());
         }
-        if arguments.len() > block.variables.len() {
-            let loc = arguments[block.variables.len()].loc;
-            let count = block.variables.len();
-            let found = codes::S2021::program_takes_arguments(&count).at(loc);
-            self.channel.core.report(found.also(self.channel.core.loc(block.span), Label::ItsParameters));
-            for variable in block.variables.clone() {
-                self.lose_parameter(variable);
+        let count = block.variables.len();
+        if let Some(more) = arguments.get(count) {
+            let found = codes::S2021::program_takes_arguments(&count).at(more.loc);
+            core.report(found.also(core.loc(block.span), Label::ItsParameters));
+            for variable in &block.variables {
+                self.vars.lose_parameter(*variable, core);
             }
             self.vars.parameters_are_known();
             return Err(Reported);
         }
         let mut arguments = arguments.into_iter();
         let mut result = Ok(());
-        for variable in block.variables.clone() {
-            let argument = arguments.next();
-            if self.parameter(variable, argument, in_main, block, text).is_err() {
-                self.lose_parameter(variable);
+        for variable in &block.variables {
+            if self.parameter(*variable, arguments.next(), line).is_err() {
+                self.vars.lose_parameter(*variable, &self.channel.core);
                 result = Err(Reported);
             }
         }
@@ -162,155 +103,127 @@ impl Run<'_> {
         result
     }
 
-    pub(super) fn parameter(
-        &mut self,
-        variable: Variable,
-        argument: Option<Argument>,
-        in_main: bool,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
+    fn parameter(&mut self, variable: Variable, argument: Option<Argument>, line: Line<'_>) -> Outcome {
+        let core = &mut self.channel.core;
         let Some(name) = variable.name else {
-            return self.channel.core.refuse(variable.span, codes::S2021::parameter_of_proc_needs_name());
+            return core.refuse(variable.span, codes::S2021::parameter_of_proc_needs_name());
         };
         let left_out = argument.is_some();
         let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
-        self.channel.core.program_level().given.push(given.is_some());
+        levels::program(&mut core.levels).given.push(given.is_some());
         if variable.by_reference {
-            return self.reference_parameter(name, variable, given, left_out, in_main);
+            return self.vars.reference_parameter(name, variable, given, left_out, core);
         }
-        let shown = self.channel.core.symbols.name(name).to_owned();
         let value = match (given, variable.value) {
-            (Some(argument), _) => self.channel.core.passed_value(argument, variable, &shown)?,
+            (Some(argument), _) => argument.passed_to(variable, core.symbols.name(name), core)?,
             (None, Some(formula)) => {
-                let value = self.eval(formula, block, text)?;
-                self.channel.core.converted(&value, variable.kind, formula.span)?
+                let value = self.eval(formula, line)?;
+                value.taken_as(variable.kind, ASSIGNED, &self.channel.core, formula.span)?
             }
-            (None, None) if variable.kind == TypeName::Axis && !in_main => {
-                return self.channel.core.missing_argument(&shown, if left_out { 14010 } else { 12310 });
+            (None, None) if variable.kind == TypeName::Axis && !levels::in_main(&core.levels) => {
+                return missing_argument(name, if left_out { 14010 } else { 12310 }, core);
             }
             (None, None) => Val::zero(variable.kind),
         };
         let length = match variable.length {
-            Some(formula) => self.number(formula, block, text)? as usize,
+            Some(formula) => self.number(formula, line)? as usize,
             None => MOST_TEXT,
         };
+        let core = &self.channel.core;
         if let (Val::Text(text), Some(argument)) = (&value, given)
             && text.len() > length
         {
-            self.channel.core.report(
-                codes::S2030::text_has_characters_parameter_takes(&text.len(), &shown, &length).at(argument.loc),
-            );
+            let (len, shown) = (text.len(), core.symbols.name(name));
+            core.report(codes::S2030::text_has_characters_parameter_takes(&len, &shown, &length).at(argument.loc));
             return Err(Reported);
         }
-        let defined = self.channel.core.loc(variable.span);
+        let defined = core.loc(variable.span);
         self.vars.define(name, Var::single(variable.kind, value, length, defined), false);
         Ok(())
     }
+}
 
-    /// A parameter whose argument was refused: what reads it is not reported again.
-    pub(super) fn lose_parameter(&mut self, variable: Variable) {
-        let Some(name) = variable.name else { return };
-        let defined = self.channel.core.loc(variable.span);
-        let var = Var::single(variable.kind, Val::zero(variable.kind), MOST_TEXT, defined);
-        self.vars.define(name, Var { lost: true, ..var }, false);
-    }
-
-    pub(super) fn reference_parameter(
+impl Vars {
+    fn reference_parameter(
         &mut self,
         name: Symbol,
         variable: Variable,
         given: Option<&Argument>,
         left_out: bool,
-        in_main: bool,
+        core: &mut Core<'_>,
     ) -> Outcome {
-        let shown = self.channel.core.symbols.name(name).to_owned();
         let Some(argument) = given else {
-            if in_main {
-                return self.reference_of_main(variable, &shown);
+            if !levels::in_main(&core.levels) {
+                // An empty place between commas, or too few arguments.
+                return missing_argument(name, if left_out { 14010 } else { 12300 }, core);
             }
-            // An empty place between commas, or too few arguments.
-            return self.channel.core.missing_argument(&shown, if left_out { 14010 } else { 12300 });
+            // Of the program that is compiled by itself nothing is known of its variable.
+            self.lose_parameter(variable, core);
+            // One of them says it for all.
+            if !core.job.diags.first_time(codes::S2021, ()) {
+                return Err(Reported);
+            }
+            let fault = codes::S2021::parameter_is_var_this_is_subprogram(&core.symbols.name(name));
+            return core.refuse(variable.span, fault);
         };
+        let shown = core.symbols.name(name);
         let Some(reference) = argument.reference else {
-            self.channel.core.report(codes::S2021::parameter_is_var_and_needs_variable(&shown).at(argument.loc));
+            core.report(codes::S2021::parameter_is_var_and_needs_variable(&shown).at(argument.loc));
             return Err(Reported);
         };
         let (kind, array) = match reference {
             Reference::R(_) => (TypeName::Real, false),
             Reference::Variable(slot) | Reference::Element(slot, _) => {
-                let Some(var) = self.vars.get(slot) else { return Err(Reported) };
+                let var = self.get(slot).ok_or(Reported)?;
                 (var.kind, matches!(reference, Reference::Variable(_)) && !var.sizes.is_empty())
             }
         };
         let wants_array = variable.open || variable.sizes.count > 0;
         if kind != variable.kind || array != wants_array {
             let what = |kind, array| format!("{}{}", type_name(kind), if array { " array" } else { "" });
+            let fault = codes::S2021::parameter_is_var(&shown, &what(variable.kind, wants_array), &what(kind, array));
             let alarm = if array == wants_array { 12330 } else { 12360 };
-            self.channel.core.report(
-                codes::S2021::parameter_is_var(&shown, &what(variable.kind, wants_array), &what(kind, array))
-                    .alarm(alarm)
-                    .at(argument.loc),
-            );
+            core.report(fault.alarm(alarm).at(argument.loc));
             return Err(Reported);
         }
         if let Reference::Variable(slot @ Slot::Local(_)) = reference {
-            self.vars.bind(name, slot);
+            self.bind(name, slot);
             return Ok(());
         }
         let var = match reference {
-            Reference::Variable(slot) => self.vars.get(slot).cloned(),
+            Reference::Variable(slot) => self.get(slot).cloned(),
             _ => None,
         };
         let var = var.unwrap_or_else(|| Var::single(kind, argument.value.clone(), MOST_TEXT, argument.loc));
-        self.vars.define(name, var, false);
-        if let FrameKind::Program { references, .. } = &mut self.channel.core.program_level().kind {
+        self.define(name, var, false);
+        if let FrameKind::Program { references, .. } = &mut levels::program(&mut core.levels).kind {
             references.push((name, reference));
         }
         Ok(())
     }
-
-    /// A VAR parameter of the program that is compiled by itself: nothing is known of its variable.
-    fn reference_of_main(&mut self, variable: Variable, shown: &str) -> Outcome {
-        self.lose_parameter(variable);
-        // One of them says it for all.
-        if !self.channel.core.job.diags.first_time(codes::S2021, ()) {
-            return Err(Reported);
-        }
-        self.channel.core.refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown))
-    }
 }
 
-impl Core<'_> {
-    /// The value of an argument, as the parameter takes it.
-    fn passed_value(&self, argument: &Argument, variable: Variable, shown: &str) -> Outcome<Val> {
-        let Ok(value) = argument.value.converted(variable.kind) else {
-            let (kind, what) = (type_name(variable.kind), argument.value.what());
-            self.report(codes::S2021::parameter_is_argument(&shown, &kind, &what).at(argument.loc));
+impl Argument {
+    /// The value as the parameter takes it.
+    fn passed_to(&self, variable: Variable, shown: &str, core: &Core<'_>) -> Outcome<Val> {
+        let Ok(value) = self.value.converted(variable.kind) else {
+            let (kind, what) = (type_name(variable.kind), self.value.what());
+            core.report(codes::S2021::parameter_is_argument(&shown, &kind, &what).at(self.loc));
             return Err(Reported);
         };
-        if variable.kind == TypeName::Int
-            && let (Some(from), Some(made)) = (argument.value.number(), value.number())
-        {
-            self.says_negative_half(from, made, variable.span);
+        if variable.kind == TypeName::Int {
+            says_negative_half(&self.value, &value, core, variable.span);
         }
         Ok(value)
     }
+}
 
-    pub(super) fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {
-        if !matches!(self.program_level().kind, FrameKind::Program { .. }) {
-            return Ok(());
-        }
-        let site = self.call_site();
-        self.report(codes::S2021::argument_for_parameter_is_missing(&name).alarm(alarm).at(site));
-        Err(Reported)
+/// A parameter that needs an argument has none. Of the program that is compiled by itself nobody gives any.
+fn missing_argument(name: Symbol, alarm: u32, core: &Core<'_>) -> Outcome {
+    if levels::in_main(&core.levels) {
+        return Ok(());
     }
-
-    /// A call waits for a PROC that does not come.
-    pub(super) fn refuse_arguments(&mut self) {
-        if let Some(argument) = self.program_level().arguments.take().and_then(|list| list.into_iter().next()) {
-            let found = codes::S2021::arguments_are_given().at(argument.loc);
-            self.report(found.help("write `PROC NAME(…)` as the first block of the called program"));
-        }
-    }
+    let found = codes::S2021::argument_for_parameter_is_missing(&core.symbols.name(name)).alarm(alarm);
+    core.report(found.at(levels::call_site(&core.levels)));
+    Err(Reported)
 }

@@ -5,13 +5,11 @@
 use crate::diag::codes;
 use crate::ir::Function;
 use crate::ir::function::PathControl;
-use crate::parser::sinumerik::ast::{Block, Formula, Op};
-use crate::text::Span;
 
 use super::g_groups::{ActiveCodes, GCode, Group};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Outcome, Run};
+use super::{Channel, Core};
 
 /// What the program says of corners.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -56,45 +54,53 @@ impl Smoothing {
     pub fn restore(&mut self, saved: Smoothing) {
         (self.said, self.cycle) = (saved.said, saved.cycle);
     }
+
+    /// The words of a block that say how corners are taken.
+    pub fn program(&mut self, core: &Core<'_>, codes_on: &ActiveCodes, w: &Words) {
+        let unit = codes_on.length_unit();
+        let code = w.code_of(Group::ExactStop);
+        if code.is_some() {
+            (self.said, self.cycle) = (true, None);
+        }
+        if let Some(distance) = w.smoothing.distance {
+            self.distance = distance * unit;
+        }
+        if let Some(tolerance) = w.smoothing.tolerance {
+            self.tolerance = tolerance * unit;
+        }
+        self.block = w.code_of(Group::ExactStopBlock).is_some() && may_move(w);
+        if let Some((code, span)) = code
+            && matches!(code.index, 4..)
+            && self.mode(codes_on).is_none()
+        {
+            core.say_once(span, codes::S8002::rounds_corners_by_machine_data(&code.word()));
+        }
+    }
+
+    /// Behind its block, G9 counts no longer. True where it stood there.
+    #[inline]
+    pub fn block_ends(&mut self) -> bool {
+        std::mem::take(&mut self.block)
+    }
 }
 
 impl Channel<'_> {
-    /// The words of a block that say how corners are taken.
-    pub(super) fn smoothing_words(&mut self, w: &Words) {
+    /// CYCLE832: a tolerance of the contour in the unit of the program, or none.
+    pub(super) fn smooth_by_cycle(&mut self, tolerance: Option<f64>) {
         let unit = self.st.codes.length_unit();
-        let code = w.code_of(Group::ExactStop);
         let smoothing = &mut self.st.smoothing;
-        if code.is_some() {
-            (smoothing.said, smoothing.cycle) = (true, None);
-        }
-        if let Some(distance) = w.smoothing.distance {
-            smoothing.distance = distance * unit;
-        }
-        if let Some(tolerance) = w.smoothing.tolerance {
-            smoothing.tolerance = tolerance * unit;
-        }
-        smoothing.block = w.code_of(Group::ExactStopBlock).is_some() && may_move(w);
-        if let Some((code, span)) = code
-            && matches!(code.index, 4..)
-            && self.st.smoothing.mode(&self.st.codes).is_none()
-        {
-            self.core.say_once(span, codes::S8002::rounds_corners_by_machine_data(&code.word()));
+        smoothing.cycle = tolerance.filter(|tolerance| *tolerance > 0.0).map(|tolerance| tolerance * unit);
+        if smoothing.cycle.is_none() {
+            // Which code of the group holds now is a matter of the machine builder.
+            (smoothing.said, smoothing.tolerance) = (false, 0.0);
         }
         self.send_smoothing();
-    }
-
-    /// Behind its block, G9 counts no longer.
-    #[inline]
-    pub(super) fn block_stop_ends(&mut self) {
-        if std::mem::take(&mut self.st.smoothing.block) {
-            self.send_smoothing();
-        }
     }
 
     /// Hands on how corners are taken, where it changed. A contour that is only described says nothing of it.
     pub(super) fn send_smoothing(&mut self) {
         let mode = self.st.smoothing.mode(&self.st.codes);
-        if mode != self.st.smoothing.sent && !self.is_capturing() {
+        if mode != self.st.smoothing.sent && self.capture.is_none() {
             self.st.smoothing.sent = mode;
             self.function(Function::PathControl(mode));
         }
@@ -117,47 +123,4 @@ const MOVING: [Address; 9] = [
 /// In a block that moves no axis, G9 stops nothing.
 fn may_move(w: &Words) -> bool {
     !w.axes.is_empty() || !w.beside.positioning.is_empty() || MOVING.iter().any(|word| w.get(*word).is_some())
-}
-
-impl Run<'_> {
-    /// CYCLE832(S_TOL, S_TOLM, …): a tolerance of the contour, or none.
-    pub(super) fn high_speed_settings(
-        &mut self,
-        formulas: &[Formula],
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let mut given = formulas.iter().filter(|formula| !formula.is_missing());
-        let first = formulas.first().filter(|formula| !formula.is_missing());
-        let tolerance = match first {
-            Some(formula) => self.number(*formula, block, text)?,
-            None => 0.0,
-        };
-        let off = match formulas.get(1).filter(|formula| !formula.is_missing()) {
-            None => false,
-            // The modes have names, which the control defines.
-            Some(formula) => match block.formula(*formula) {
-                [Op::Name(name, _)] if self.channel.core.symbols.name(*name).starts_with('_') => {
-                    self.channel.core.symbols.name(*name) == "_OFF"
-                }
-                _ => self.number(*formula, block, text)? == 0.0,
-            },
-        };
-        if tolerance < 0.0 {
-            return self.channel.core.refuse(span, codes::S2045::cycle832_with_tolerance(&tolerance));
-        }
-        if given.nth(1).is_some() {
-            self.channel.core.dynamics_are_left_out(span);
-        }
-        let unit = self.channel.st.codes.length_unit();
-        let smoothing = &mut self.channel.st.smoothing;
-        smoothing.cycle = (tolerance > 0.0 && !off).then_some(tolerance * unit);
-        if smoothing.cycle.is_none() {
-            // Which code of the group holds now is a matter of the machine builder.
-            (smoothing.said, smoothing.tolerance) = (false, 0.0);
-        }
-        self.channel.send_smoothing();
-        Ok(())
-    }
 }

@@ -10,9 +10,10 @@ use crate::machine::AxisSet;
 use crate::text::Span;
 
 use super::g_groups::GCode;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Core, Outcome, Reported};
 
 /// Pole, and the polar words that hold on.
 #[derive(Debug, Clone)]
@@ -50,134 +51,132 @@ impl Polar {
     }
 }
 
-impl Channel<'_> {
+impl State {
     /// G110, G111 or G112: the pole, by coordinates or by angle and radius.
-    pub(super) fn pole_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
-        let result = self.set_pole(code, span, w);
-        self.st.polar.lost = result.is_err();
-        result
-    }
-
-    fn set_pole(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
-        let plane = self.st.plane();
-        let [first, second, third] = self.st.roles();
-        for axis in w.axes.iter() {
-            if axis != first && axis != second {
-                let given = w.axis(axis).unwrap_or_default();
-                let help = format!("a pole has {} and {}", first.letter(), second.letter());
-                let help = if axis == third { format!("{help}; check G17, G18, G19") } else { help };
-                return self
-                    .core
-                    .refuse(given.span, codes::S2050::is_no_axis_of_working_plane(&axis.letter()).help(&help));
-            }
-        }
-        let base = match code {
-            GCode::G111 => Point2::origin(),
-            GCode::G112 => {
-                if self.st.polar.lost {
-                    return Err(Reported);
-                }
-                self.st.polar.pole
-            }
-            _ => match self.st.position.in_plane(plane) {
-                Some(at) => at,
-                None => {
-                    let axis = if self.st.position.get(first).is_none() { first } else { second };
-                    return self.unknown_axis(axis, span);
-                }
-            },
-        };
-        let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
-        let pole = if ap.is_some() || rp.is_some() {
-            if !w.axes.is_empty() {
-                return self.core.mixed(span);
-            }
-            let (Some(ap), Some(rp)) = (ap, rp) else {
-                return self.core.refuse(span, codes::P1003::polar_pole_needs_ap());
-            };
-            self.core.check_angle(ap, 14260)?;
-            self.core.check_radius(rp, 14250)?;
-            polar_point(base, rp.value * self.st.length_unit(), Deg(ap.value))
-        } else {
-            // G90, G91, AC and IC do not matter; the diameter axis counts as it is programmed.
-            let mut way = [0.0; 2];
-            for (place, axis) in way.iter_mut().zip([first, second]) {
-                if let Some(given) = w.axis(axis) {
-                    self.core.parameter_of_frame(given)?;
-                    *place = self.length(axis, Given { mode: Mode::Plain, ..given }, false)?;
-                }
-            }
-            Point2::new(base.x + way[0], base.y + way[1])
-        };
-        self.st.polar.set_pole(pole);
+    pub(super) fn pole_block(&mut self, core: &Core<'_>, code: GCode, span: Span, w: &mut Words) -> Outcome {
+        let pole = pole_of(core, self, code, span, w);
+        self.polar.lost = pole.is_err();
+        self.polar.set_pole(pole?);
         Ok(())
     }
 
     /// The end point of a block with AP or RP.
-    pub(super) fn polar_end(&mut self, w: &mut Words) -> Outcome<Pos> {
-        if self.st.polar.lost {
+    pub(super) fn polar_end(&mut self, core: &mut Core<'_>, w: &mut Words) -> Outcome<Pos> {
+        if self.polar.lost {
             return Err(Reported);
         }
-        let plane = self.st.plane();
-        let [first, second, _] = self.st.roles();
+        let plane = self.plane();
+        let [first, second, _] = self.roles();
         let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
         let span = ap.or(rp).map(|given| given.span).unwrap_or_default();
         if w.axes.contains(first) || w.axes.contains(second) {
-            return self.core.mixed(span);
+            return core.mixed(span);
         }
         let radius = match rp {
             Some(rp) => {
-                self.core.check_radius(rp, 14200)?;
-                rp.value * self.st.length_unit()
+                core.check_radius(rp, 14200)?;
+                rp.value * self.length_unit()
             }
-            None => match self.st.polar.radius {
+            None => match self.polar.radius {
                 Some(radius) => radius,
                 None => {
-                    self.st.position.lose(AxisSet::MAIN);
-                    self.lost();
-                    return self.core.refuse(span, codes::S2054::rp_was_never_programmed());
+                    self.position.lose(AxisSet::MAIN);
+                    core.send_lost(&self.ctx);
+                    return core.refuse(span, codes::S2054::rp_was_never_programmed());
                 }
             },
         };
         let angle = match ap {
             Some(ap) => {
-                self.core.check_angle(ap, 14210)?;
+                core.check_angle(ap, 14210)?;
                 let incremental = match ap.mode {
-                    Mode::Plain => self.st.is(GCode::G91),
+                    Mode::Plain => self.is(GCode::G91),
                     Mode::Ac => false,
                     Mode::Ic => true,
-                    _ => return self.core.refuse(ap.span, codes::P1003::only_ac_and_ic_fit_ap()),
+                    _ => return core.refuse(ap.span, codes::P1003::only_ac_and_ic_fit_ap()),
                 };
                 if incremental {
-                    let base = match self.st.polar.angle {
+                    let base = match self.polar.angle {
                         Some(angle) => angle,
-                        None => return self.polar_word_missing(ap.span, "the angle that AP= counts from"),
+                        None => return self.polar_word_missing(core, ap.span, "the angle that AP= counts from"),
                     };
                     base + ap.value
                 } else {
                     ap.value
                 }
             }
-            None => match self.st.polar.angle {
+            None => match self.polar.angle {
                 Some(angle) => angle,
-                None => return self.polar_word_missing(span, "AP="),
+                None => return self.polar_word_missing(core, span, "AP="),
             },
         };
-        self.st.polar.radius = Some(radius);
-        self.st.polar.angle = Some(angle);
-        let mut end = self.targets(w)?;
-        end.set_in_plane(plane, polar_point(self.st.polar.pole, radius, Deg(angle)));
+        self.polar.radius = Some(radius);
+        self.polar.angle = Some(angle);
+        let mut end = self.targets(core, w)?;
+        end.set_in_plane(plane, polar_point(self.polar.pole, radius, Deg(angle)));
         Ok(end)
     }
 
     /// The manuals demand the word again, so that what it was does not count.
-    fn polar_word_missing<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
+    fn polar_word_missing<T>(&mut self, core: &mut Core<'_>, span: Span, what: &str) -> Outcome<T> {
         // What counts on from here is not reported again.
-        self.st.polar.lost = true;
-        self.st.position.lose(AxisSet::MAIN);
-        self.lost();
-        self.core.refuse(span, codes::S2054::was_not_programmed_since_pole_or_plane(&what))
+        self.polar.lost = true;
+        self.position.lose(AxisSet::MAIN);
+        core.send_lost(&self.ctx);
+        core.refuse(span, codes::S2054::was_not_programmed_since_pole_or_plane(&what))
     }
+}
+
+/// The pole by the words of its block.
+fn pole_of(core: &Core<'_>, st: &State, code: GCode, span: Span, w: &mut Words) -> Outcome<Point2> {
+    let plane = st.plane();
+    let [first, second, third] = st.roles();
+    for axis in w.axes.iter() {
+        if axis != first && axis != second {
+            let given = w.axis(axis).unwrap_or_default();
+            let help = format!("a pole has {} and {}", first.letter(), second.letter());
+            let help = if axis == third { format!("{help}; check G17, G18, G19") } else { help };
+            return core.refuse(given.span, codes::S2050::is_no_axis_of_working_plane(&axis.letter()).help(&help));
+        }
+    }
+    let base = match code {
+        GCode::G111 => Point2::origin(),
+        GCode::G112 => {
+            if st.polar.lost {
+                return Err(Reported);
+            }
+            st.polar.pole
+        }
+        _ => match st.position.in_plane(plane) {
+            Some(at) => at,
+            None => {
+                let axis = if st.position.get(first).is_none() { first } else { second };
+                return st.unknown_axis(core, axis, span);
+            }
+        },
+    };
+    let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
+    Ok(if ap.is_some() || rp.is_some() {
+        if !w.axes.is_empty() {
+            return core.mixed(span);
+        }
+        let (Some(ap), Some(rp)) = (ap, rp) else {
+            return core.refuse(span, codes::P1003::polar_pole_needs_ap());
+        };
+        core.check_angle(ap, 14260)?;
+        core.check_radius(rp, 14250)?;
+        polar_point(base, rp.value * st.length_unit(), Deg(ap.value))
+    } else {
+        // G90, G91, AC and IC do not matter; the diameter axis counts as it is programmed.
+        let mut way = [0.0; 2];
+        for (place, axis) in way.iter_mut().zip([first, second]) {
+            if let Some(given) = w.axis(axis) {
+                given.counts_in_frame(core)?;
+                *place = st.length(core, axis, Given { mode: Mode::Plain, ..given }, false)?;
+            }
+        }
+        Point2::new(base.x + way[0], base.y + way[1])
+    })
 }
 
 impl Core<'_> {

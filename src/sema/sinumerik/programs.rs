@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::{Diagnostic, Label, codes};
 use crate::parser::problem::Problem;
@@ -65,6 +65,14 @@ pub(super) struct Units {
     pub list: Vec<Unit>,
     /// Names of cycles, by the file whose program asked whether one of that name stands here, with the answer.
     pub asked: FxHashMap<usize, FxHashMap<String, bool>>,
+    /// Programs by the file that calls them and the name that it calls them by.
+    pub found: FxHashMap<(usize, String), usize>,
+    /// The same of programs that are nowhere.
+    pub missing: FxHashSet<(usize, String)>,
+    /// The folder that CALLPATH adds to the search path.
+    pub call_path: Option<String>,
+    /// Folders of the control of which it was said what stands for them.
+    pub copies: FxHashSet<&'static str>,
 }
 
 impl Units {

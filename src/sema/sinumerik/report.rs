@@ -1,44 +1,51 @@
 //! What is still open at the end of the run.
 
 use crate::diag::{Label, codes};
+use crate::ir::Side;
 use crate::text::{FileId, Loc, Span};
 
-use super::Run;
-use super::programs::UnitKind;
+use super::programs::{Unit, UnitKind, Units};
+use super::{Channel, Core};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// End of the whole run: what is still open is worth a word.
     pub(super) fn report_open(&mut self) {
-        let _: super::Outcome = self.channel.soft_must_be_done();
+        if let Some(table) = self.curve_table.take() {
+            self.core.report(table.has_no_end());
+        }
+        let _: super::Outcome = self.soft_must_be_done();
         // Of a computed path that is an error, which is made where the path is.
-        if self.channel.st.side() != crate::ir::Side::None && !self.channel.st.path.is_computed() {
-            let found = codes::P2041::program_ends_with_radius_compensation_2().at(self.channel.core.here.origin.loc);
-            self.channel.core.report(found.help("program G40 with a straight move before the end"));
+        if self.st.side() != Side::None && !self.st.path.is_computed() {
+            let fault = codes::P2041::program_ends_with_radius_compensation_2();
+            self.core.say_here(fault.help("program G40 with a straight move before the end"));
         }
-        if let Some(open) = self.channel.open_modal_call() {
-            let found = codes::S8038::program_ends_with_modal_call().at(self.channel.core.here.origin.loc);
-            self.channel
-                .core
-                .report(found.also(open, Label::ModalCall).help("write MCALL in a block of its own before the end"));
+        if self.st.modal_call.is_on() {
+            let found = codes::S8038::program_ends_with_modal_call().at(self.core.here.origin.loc);
+            let found = found.also(self.st.modal_call.site(), Label::ModalCall);
+            self.core.report(found.help("write MCALL in a block of its own before the end"));
         }
-        let unit = self.channel.core.levels.first().map_or(0, |level| level.frame.unit);
-        let _ = self.units.list_rest(&self.channel.core.job, &mut self.channel.core.programs);
-        let others: Vec<&str> = self
-            .units
-            .list
-            .iter()
-            .enumerate()
-            .filter(|(at, other)| *at != unit && other.file == 0 && other.kind == UnitKind::Main)
-            .map(|(_, other)| other.name.as_str())
-            .collect();
-        if !others.is_empty() {
-            let start = self.units.list[unit].start;
-            let len = self.channel.core.job.sources.bytes(FileId(0), Span::at(start.at, 80));
-            let len = len.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(len.len());
-            let start = Loc { file: FileId(0), line: start.line, span: Span::at(start.at, len as u32) };
-            let name = &self.units.list[unit].name;
-            let found = codes::S8003::file_holds_several_main_programs(&name).at(start);
-            self.channel.core.job.diags.push(found.help(format!("put {} into files of their own", others.join(", "))));
+    }
+}
+
+impl Units {
+    /// Other main programs of the file did not run.
+    pub(super) fn report_others(&mut self, core: &mut Core<'_>) {
+        let unit = core.levels.first().map_or(0, |level| level.frame.unit);
+        let _ = self.list_rest(&core.job, &mut core.programs);
+        let is_other = |at: usize| {
+            let other = &self.list[at];
+            at != unit && other.file == 0 && other.kind == UnitKind::Main
+        };
+        let others: Vec<&str> =
+            (0..self.list.len()).filter(|at| is_other(*at)).map(|at| self.list[at].name.as_str()).collect();
+        if others.is_empty() {
+            return;
         }
+        let Unit { start, name, .. } = &self.list[unit];
+        let text = core.job.sources.bytes(FileId(0), Span::at(start.at, 80));
+        let len = text.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(text.len());
+        let start = Loc { file: FileId(0), line: start.line, span: Span::at(start.at, len as u32) };
+        let found = codes::S8003::file_holds_several_main_programs(&name).at(start);
+        core.job.diags.push(found.help(format!("put {} into files of their own", others.join(", "))));
     }
 }

@@ -4,80 +4,57 @@
 
 use crate::diag::codes;
 use crate::machine::Axis;
-use crate::text::Span;
 
 use super::g_groups::GCode;
+use super::state::State;
 use super::words::{Given, Mode};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Core, Outcome, Reported};
 
-impl Channel<'_> {
-    /// The end point of a rotary axis in degrees. Those of a modulo axis count on from the last one, turn by turn.
-    pub(super) fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        let incremental = match given.mode {
-            Mode::Plain => self.st.is(GCode::G91),
-            Mode::Ac => false,
-            Mode::Ic => true,
-            Mode::Dc | Mode::Acp | Mode::Acn => return self.directed_target(axis, given),
-            _ => return self.core.no_diameter_axis(given.span),
-        };
-        if incremental {
-            return Ok(self.increment_base(axis, given.span)? + given.value);
-        }
-        if self.st.machine.modulo.contains(axis) { self.modulo_target(axis, given) } else { Ok(given.value) }
-    }
-
-    /// DC, ACP and ACN: the shortest way, or a way of one sense.
-    fn directed_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        self.core.inside_one_turn(given)?;
-        self.st.machine.modulo.insert(axis);
-        let Some(at) = self.st.position.get(axis) else {
-            return self.first_rotary_target(axis, given);
-        };
+impl State {
+    /// The end point of a rotary axis in degrees, unless it is an increment. Those of a modulo axis count on from the last
+    /// one, turn by turn; DC, ACP and ACN are the shortest way, or a way of one sense.
+    pub(super) fn rotary_target(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
         let way = match given.mode {
+            Mode::Plain | Mode::Ac if !self.machine.modulo.contains(axis) => return Ok(given.value),
+            Mode::Plain | Mode::Ac => return self.modulo_target(core, axis, given),
             Mode::Acp => Way::Up,
             Mode::Acn => Way::Down,
-            _ => Way::Short,
+            Mode::Dc => Way::Short,
+            _ => return core.no_diameter_axis(given.span),
         };
-        Ok(counted_on(at, given.value, way))
+        core.inside_one_turn(given)?;
+        self.machine.modulo.insert(axis);
+        if let Some(at) = self.position.get(axis) {
+            return Ok(counted_on(at, given.value, way));
+        }
+        // In front of any other position of the axis the place is the same whatever the way to it.
+        if given.mode != Mode::Dc || !self.is(GCode::G0) || self.position.is_lost(axis) {
+            return self.unknown_axis(core, axis, given.span);
+        }
+        core.say_once(given.span, codes::S8044::where_stands_is_not_known(&axis.letter()));
+        Ok(given.value)
     }
 
     /// `C20` of a modulo axis: up or down inside the turn in which it stands.
-    fn modulo_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        self.core.inside_one_turn(given)?;
-        if self.st.position.is_lost(axis) {
+    fn modulo_target(&self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome<f64> {
+        core.inside_one_turn(given)?;
+        if self.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(at) = self.st.position.get(axis) else {
-            let letter = axis.letter();
-            self.core.say_once(given.span, codes::S8044::where_stands_is_not_known_its_way(&letter));
+        let Some(at) = self.position.get(axis) else {
+            core.say_once(given.span, codes::S8044::where_stands_is_not_known_its_way(&axis.letter()));
             return Ok(given.value);
         };
-        let shift = self.st.ctx.frame.shift_of(axis);
-        if reduced(shift) != 0.0 && !self.core.job.settings.control.sinumerik.modulo_shortest {
-            return self.core.modulo_under_a_shift(axis, given.span);
+        let shortest = core.job.settings.control.sinumerik.modulo_shortest;
+        if !shortest && reduced(self.ctx.frame.shift_of(axis)) != 0.0 {
+            // Which way is meant depends on where the turn of the axis begins: in the program or on the machine.
+            return core.refuse(given.span, codes::S9101::sense_in_which_turns_is_not_known(&axis.letter()));
         }
-        let shortest = self.core.job.settings.control.sinumerik.modulo_shortest;
         Ok(counted_on(at, given.value, if shortest { Way::Short } else { Way::Inside }))
-    }
-
-    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
-    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if given.mode != Mode::Dc || !self.st.is(GCode::G0) || self.st.position.is_lost(axis) {
-            return self.unknown_axis(axis, given.span);
-        }
-        let letter = axis.letter();
-        self.core.say_once(given.span, codes::S8044::where_stands_is_not_known(&letter));
-        Ok(given.value)
     }
 }
 
 impl Core<'_> {
-    /// Which way is meant depends on where the turn of the axis begins: in the program or on the machine.
-    fn modulo_under_a_shift(&self, axis: Axis, span: Span) -> Outcome<f64> {
-        let letter = axis.letter();
-        self.refuse(span, codes::S9101::sense_in_which_turns_is_not_known(&letter))
-    }
-
     fn inside_one_turn(&self, given: Given) -> Outcome {
         if (0.0..360.0).contains(&given.value) {
             return Ok(());

@@ -25,10 +25,11 @@ use crate::sema::run::{Site, Where};
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
+use super::state::State;
 use super::tangent::Heading;
 use super::vocabulary::Address;
-use super::words::{Given, Mode, Words};
-use super::{Channel, Outcome, Reported};
+use super::words::{Given, Mode, Words, misplaced_modifier};
+use super::{Channel, Core, Outcome};
 
 /// Functions and comments between an approach and its contour.
 const MOST_HELD: usize = 256;
@@ -48,6 +49,9 @@ impl Height {
         }
     }
 }
+
+/// A move of an approach or retraction, and on which side it is printed.
+type SoftMove = (Pos, Path, Side);
 
 /// The words of a block.
 #[derive(Debug, Clone, Copy)]
@@ -77,6 +81,27 @@ pub(super) struct Soft {
     before: Path,
     feed: Option<Feed>,
     held: Vec<(Function, Origin)>,
+}
+
+impl Soft {
+    /// Something that cannot stand between an approach and its contour.
+    pub fn report_open(&self, core: &Core<'_>) {
+        let found = codes::S2083::no_contour_element_follows(&self.name).at(self.here.loc(&core.job, self.span));
+        core.job.diags.push(found.called(self.here.origin.call).help("let a path block of the plane follow"));
+    }
+
+    /// Holds back a function that waits for the contour.
+    pub fn holds(&mut self, function: &Function, origin: Origin) -> bool {
+        let acts = matches!(
+            function,
+            Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_) | Function::End { .. }
+        );
+        let waits = !acts && self.held.len() < MOST_HELD;
+        if waits {
+            self.held.push((function.clone(), origin));
+        }
+        waits
+    }
 }
 
 fn shape_of(code: GCode) -> Option<(Shape, bool)> {
@@ -120,132 +145,28 @@ impl Channel<'_> {
             return self.core.refuse(span, codes::P9013::stands_in_contour_whose_compensation_has_begun(&code.word()));
         }
         self.pending_must_be_done(span)?;
-        let sizes = self.soft_sizes((shape, approaches), side, span, w)?;
+        let sizes = soft_sizes(&self.core, &self.st, (shape, approaches), side, span, w)?;
         let scale = self.st.ctx.frame.uniform_scale();
         if side != Side::None && scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
             return self.core.refuse(span, codes::P9011::under_scaling_is_not_supported(&code.word()));
         }
-        let end = self.targets(w)?;
+        let end = self.st.targets(&self.core, w)?;
         self.st.compensation.is_over();
         if approaches {
-            self.approach(code, span, w, sizes, end, before)
-        } else {
-            self.retract(code, span, sizes, end, side, ends, before)
+            let soft = approach(&self.core, &self.st, (code, span), w, sizes, &end, before)?;
+            self.soft = Some(Box::new(soft));
+            self.st.position.move_to(&end);
+            return Ok(());
         }
-    }
-
-    fn soft_sizes(
-        &mut self,
-        (shape, approaches): (Shape, bool),
-        side: Side,
-        span: Span,
-        w: &mut Words,
-    ) -> Outcome<Sizes> {
-        let mm = self.st.length_unit();
-        let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
-        let size = w.take(Address::Disr).map(|disr| disr.value * mm);
-        let fits = size.is_some_and(|size| if shape == Shape::Line { size + radius > 0.0 } else { size > 0.0 });
-        let Some(size) = size.filter(|_| fits) else {
-            return self.core.refuse(span, codes::S2083::disr_is_missing_or_too_small());
+        let made = retract(&self.core, &self.st, (code, span), sizes, end, (side, ends), before)?;
+        let Some((moves, last)) = made else {
+            self.st.feed.lose();
+            return self.core.refuse(span, codes::P2002::no_feed_is_programmed_so_program_f());
         };
-        let height = |given: Option<Given>| match given {
-            None => Ok(None),
-            Some(given) => match given.mode {
-                Mode::Plain => Ok(Some(Height::Above(given.value * mm))),
-                Mode::Ac => Ok(Some(Height::At(given.value * mm))),
-                _ => Err(given.span),
-            },
-        };
-        let (safe, plane) = match (height(w.take(Address::Discl)), height(w.take(Address::Disrp))) {
-            (Ok(safe), Ok(plane)) => (safe, plane),
-            (Err(span), _) | (_, Err(span)) => return self.core.misplaced_modifier(span).and(Err(Reported)),
-        };
-        let infeed = match w.take(Address::Fad) {
-            Some(fad) if fad.value <= 0.0 => {
-                return self.core.refuse(fad.span, codes::P2003::feed_fad_is_not_above_0());
-            }
-            fad => {
-                let falls = self.st.is(GCode::G340);
-                // On the helix of a retraction F holds, and without DISCL nothing is left to go at the feed of the infeed.
-                let why = if !approaches && falls {
-                    Some("G340 retracts at F")
-                } else if !falls && matches!(safe, None | Some(Height::Above(0.0))) {
-                    Some("without DISCL, or with DISCL=0, there is no slow infeed")
-                } else {
-                    None
-                };
-                if let (Some(fad), Some(why)) = (fad, why) {
-                    self.core.say_once(fad.span, codes::S8196::fad_has_no_effect_here(&why));
-                }
-                fad.map(|fad| self.infeed(fad))
-            }
-        };
-        Ok(Sizes { shape, size, safe, plane, infeed })
-    }
-
-    /// `FAD=150`, counted as F is, or `FAD=PM(150)` as under G94 and `FAD=PR(0.2)` as under G95.
-    fn infeed(&mut self, fad: Given) -> Feed {
-        let unit = self.st.feed_unit();
-        let feed = match fad.mode {
-            Mode::PerMinute => Feed::PerMinute(fad.value * unit),
-            Mode::PerTurn => Feed::PerRevolution(fad.value * unit),
-            _ => self.st.feed_of(fad.value),
-        };
-        if matches!(feed, Feed::PerRevolution(_)) {
-            self.master_feeds(fad.span);
-        }
-        feed
-    }
-
-    fn approach(&mut self, code: GCode, span: Span, w: &Words, sizes: Sizes, end: Pos, before: Path) -> Outcome {
-        let [first, second, third] = self.st.roles();
-        // Without F the way before goes on, and at rapid traverse nothing should meet the part.
-        let feed = if w.feed_given || !before.is_rapid() { self.st.feed.word() } else { None };
-        let whole = sizes.infeed.is_some() && self.st.is(GCode::G340);
-        if feed.is_none() && !whole {
-            return self.core.refuse(span, codes::P2002::has_no_feed(&code.word()));
-        }
-        let named = end.get(first).is_some() || end.get(second).is_some();
-        self.soft = Some(Box::new(Soft {
-            sizes,
-            name: code.word(),
-            here: self.core.here,
-            span,
-            from: *self.st.position.at(),
-            named,
-            height_named: end.get(third).is_some(),
-            before,
-            feed,
-            held: Vec::new(),
-        }));
-        self.st.position.move_to(&end);
+        self.soft_moves(&moves);
+        self.st.heading = Heading::Later;
+        self.st.position.move_to(&last);
         Ok(())
-    }
-
-    /// Something that cannot stand between an approach and its contour.
-    pub(super) fn soft_must_be_done(&mut self) -> Outcome {
-        let Some(soft) = self.soft.take() else { return Ok(()) };
-        let found = codes::S2083::no_contour_element_follows(&soft.name).at(soft.here.loc(&self.core.job, soft.span));
-        self.core.job.diags.push(found.called(soft.here.origin.call).help("let a path block of the plane follow"));
-        self.lose_all();
-        Err(Reported)
-    }
-
-    /// True for a function that waits for the contour.
-    pub(super) fn held_by_approach(&mut self, function: &Function) -> bool {
-        let waits = match function {
-            Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_) | Function::End { .. } => false,
-            _ => self.soft.as_ref().is_some_and(|soft| soft.held.len() < MOST_HELD),
-        };
-        if !waits {
-            let _: Outcome = self.soft_must_be_done();
-            return false;
-        }
-        let origin = self.core.here.origin;
-        if let Some(soft) = &mut self.soft {
-            soft.held.push((function.clone(), origin));
-        }
-        true
     }
 
     /// A move behind an approach: the point of the contour, or its first element. True if it moves nothing itself.
@@ -271,7 +192,7 @@ impl Channel<'_> {
             return true;
         }
         let here = std::mem::replace(&mut self.core.here, soft.here);
-        let made = self.make_approach(&soft, end, path);
+        let made = approach_moves(&self.core, &self.st, &soft, end, path).map(|moves| self.soft_moves(&moves));
         self.core.here = here;
         if made.is_err() {
             self.lose_all();
@@ -283,244 +204,344 @@ impl Channel<'_> {
         false
     }
 
-    /// Direction of an element at its start, where the tool stands.
-    fn direction_at_start(&self, end: &Pos, path: &Path) -> Option<Vec2> {
-        let plane = self.st.plane();
-        let at = self.st.position.in_plane(plane)?;
-        match path {
-            Path::Arc(arc, _) => match Heading::behind(arc, &self.st.position, end) {
-                Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
-                _ => None,
-            },
-            _ => {
-                let (first, second, _) = plane.axes();
-                let to = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
-                direction(Point2::new(to(first, at.x), to(second, at.y)) - at, SAME_POINT)
+    /// Sends the moves of an approach or retraction.
+    fn soft_moves(&mut self, moves: &[SoftMove]) {
+        self.st.straight_border();
+        for (end, path, side) in moves {
+            if self.leaves_touched(end.known(), path.is_rapid()).is_ok() {
+                self.left.cuts(self.capture.is_some());
+                let mv = Move { end: *end, path: *path, side: *side, coords: Coords::Frame };
+                self.core.send_move(&mv, &self.st.ctx);
             }
         }
     }
+}
 
-    /// The side from which the way comes, or to which it leads: 1 left, -1 right.
-    /// A line without compensation has no side.
-    fn soft_side(&self, way: Way, side: Side, far: Option<Point2>) -> Outcome<f64> {
-        let Way { shape, at, heading, span } = way;
-        let own = match self.st.printed_side(side) {
-            Side::None => None,
-            Side::Left => Some(1.0),
-            Side::Right => Some(-1.0),
-        };
-        let chosen = match self.st.codes.of(Group::SoftApproach).index {
-            2 => Some(1.0),
-            3 => Some(-1.0),
-            4 => far.map(|far| if cross(heading, far - at) >= 0.0 { 1.0 } else { -1.0 }),
-            _ => own,
-        };
-        match chosen {
-            Some(chosen) if own.is_none_or(|own| own == chosen) => Ok(chosen),
-            Some(_) => self.core.refuse(span, codes::P9011::way_leads_to_other_side_of_contour()),
-            None if shape == Shape::Line => Ok(1.0),
-            None => self.core.refuse(span, codes::S2083::side_of_way_is_not_known()),
-        }
-    }
-
-    fn make_approach(&mut self, soft: &Soft, end: &Pos, path: &Path) -> Outcome {
-        let plane = self.st.plane();
-        let third = self.st.roles()[2];
-        let Some(at) = self.st.position.in_plane(plane) else {
-            let [first, second, _] = self.st.roles();
-            let axis = if self.st.position.get(first).is_none() { first } else { second };
-            return self.unknown_axis(axis, soft.span);
-        };
-        let Some(heading) = self.direction_at_start(end, path) else {
-            return self.core.refuse(soft.span, codes::S2083::direction_behind_is_not_known());
-        };
-        let side = self.st.side();
-        let way = Way { shape: soft.sizes.shape, at, heading, span: soft.span };
-        let s = self.soft_side(way, side, soft.from.in_plane(plane))?;
-        let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
-        // Backwards along the contour its sides are swapped.
-        let touch = touch(soft.sizes.shape, soft.sizes.size, at, -heading, -s, radius);
-        let heights = self.approach_heights(soft, third)?;
-        self.straight_border();
-        let printed = self.st.printed_side(side);
-        let falls = self.st.is(GCode::G340);
-        if heights.is_some()
-            && soft.sizes.safe.is_none()
-            && soft.before.is_rapid()
-            && self.core.job.diags.first_time(codes::S8197, &soft.name)
-        {
-            let found = codes::S8197::has_no_discl(&soft.name).at(self.core.loc(soft.span));
-            self.core.report(found.help("program DISCL, and FAD for the way from there"));
-        }
-        let place = |p: Option<Point2>, z: Option<f64>| {
-            let mut end = Pos::UNKNOWN;
-            if let Some(p) = p {
-                end.set_in_plane(plane, p);
-            }
-            if let Some(z) = z {
-                end.set(third, z);
-            }
-            end
-        };
-        let infeed = Path::straight(soft.sizes.infeed.or(soft.feed));
-        self.soft_move(place(Some(touch.contour), heights.and_then(|h| h.first)), soft.before, printed);
-        if let Some(heights) = heights {
-            self.soft_move(place(None, Some(heights.safe)), soft.before, printed);
-            if !falls && heights.safe != heights.contour {
-                self.soft_move(place(None, Some(heights.contour)), infeed, printed);
-            }
-        }
-        let way = if falls { soft.sizes.infeed.or(soft.feed) } else { soft.feed };
-        let to = place(Some(at), heights.map(|h| h.contour));
-        let path = way.map_or(Path::straight(None), |feed| path_of(plane, touch.circle, s > 0.0, feed));
-        self.soft_move(to, path, printed);
-        Ok(())
-    }
-
+impl State {
     /// KONT has no say where the way is tangential.
     fn straight_border(&mut self) {
-        if let Some(rules) = self.st.ctx.compensation.as_deref() {
+        if let Some(rules) = self.ctx.compensation.as_deref() {
             let rules = ir::Compensation { approach: Border::Perpendicular, retract: Border::Perpendicular, ..*rules };
-            self.st.compensate(rules);
+            self.compensate(rules);
         }
     }
+}
 
-    fn soft_move(&mut self, end: Pos, path: Path, side: Side) {
-        if self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
-            return;
+fn soft_sizes(
+    core: &Core<'_>,
+    st: &State,
+    (shape, approaches): (Shape, bool),
+    side: Side,
+    span: Span,
+    w: &mut Words,
+) -> Outcome<Sizes> {
+    let mm = st.length_unit();
+    let radius = if side == Side::None { 0.0 } else { st.path.radius() };
+    let size = w.take(Address::Disr).map(|disr| disr.value * mm);
+    let fits = size.is_some_and(|size| if shape == Shape::Line { size + radius > 0.0 } else { size > 0.0 });
+    let Some(size) = size.filter(|_| fits) else {
+        return core.refuse(span, codes::S2083::disr_is_missing_or_too_small());
+    };
+    let height = |given: Option<Given>| match given {
+        None => Ok(None),
+        Some(given) => match given.mode {
+            Mode::Plain => Ok(Some(Height::Above(given.value * mm))),
+            Mode::Ac => Ok(Some(Height::At(given.value * mm))),
+            _ => Err(given.span),
+        },
+    };
+    let (safe, plane) = match (height(w.take(Address::Discl)), height(w.take(Address::Disrp))) {
+        (Ok(safe), Ok(plane)) => (safe, plane),
+        (Err(span), _) | (_, Err(span)) => return core.refuse(span, misplaced_modifier()),
+    };
+    let infeed = match w.take(Address::Fad) {
+        Some(fad) if fad.value <= 0.0 => {
+            return core.refuse(fad.span, codes::P2003::feed_fad_is_not_above_0());
         }
-        self.cuts_in_between();
-        let mv = Move { end, path, side, coords: Coords::Frame };
-        self.core.send_move(&mv, &self.st.ctx);
+        fad => {
+            let falls = st.is(GCode::G340);
+            // On the helix of a retraction F holds, and without DISCL nothing is left to go at the feed of the infeed.
+            let why = if !approaches && falls {
+                Some("G340 retracts at F")
+            } else if !falls && matches!(safe, None | Some(Height::Above(0.0))) {
+                Some("without DISCL, or with DISCL=0, there is no slow infeed")
+            } else {
+                None
+            };
+            if let (Some(fad), Some(why)) = (fad, why) {
+                core.say_once(fad.span, codes::S8196::fad_has_no_effect_here(&why));
+            }
+            fad.map(|fad| infeed(core, st, fad))
+        }
+    };
+    Ok(Sizes { shape, size, safe, plane, infeed })
+}
+
+/// `FAD=150`, counted as F is, or `FAD=PM(150)` as under G94 and `FAD=PR(0.2)` as under G95.
+fn infeed(core: &Core<'_>, st: &State, fad: Given) -> Feed {
+    let unit = st.feed_unit();
+    let feed = match fad.mode {
+        Mode::PerMinute => Feed::PerMinute(fad.value * unit),
+        Mode::PerTurn => Feed::PerRevolution(fad.value * unit),
+        _ => st.feed_of(fad.value),
+    };
+    if matches!(feed, Feed::PerRevolution(_)) {
+        st.master_feeds(core, fad.span);
     }
+    feed
+}
 
-    /// Heights of an approach; `None` where the way stays in its plane.
-    fn approach_heights(&self, soft: &Soft, third: Axis) -> Outcome<Option<Heights>> {
-        let (start, contour) = (soft.from.get(third), self.st.position.get(third));
-        let moves = contour != start || soft.sizes.safe.is_some() || soft.sizes.plane.is_some();
-        if !moves {
-            return Ok(None);
-        }
-        let (Some(start), Some(contour)) = (start, contour) else { return self.unknown_axis(third, soft.span) };
-        let safe = soft.sizes.safe.map_or(contour, |height| height.over(contour));
-        self.check_heights(soft.span, start, contour, safe, soft.sizes.plane)?;
-        Ok(Some(Heights { first: soft.sizes.plane.map(|height| height.over(contour)), safe, contour }))
+/// An approach by the words of its block, which ends at `end`.
+fn approach(
+    core: &Core<'_>,
+    st: &State,
+    (code, span): (GCode, Span),
+    w: &Words,
+    sizes: Sizes,
+    end: &Pos,
+    before: Path,
+) -> Outcome<Soft> {
+    let [first, second, third] = st.roles();
+    // Without F the way before goes on, and at rapid traverse nothing should meet the part.
+    let feed = if w.feed_given || !before.is_rapid() { st.feed.word() } else { None };
+    let whole = sizes.infeed.is_some() && st.is(GCode::G340);
+    if feed.is_none() && !whole {
+        return core.refuse(span, codes::P2002::has_no_feed(&code.word()));
     }
+    let named = end.get(first).is_some() || end.get(second).is_some();
+    Ok(Soft {
+        sizes,
+        name: code.word(),
+        here: core.here,
+        span,
+        from: *st.position.at(),
+        named,
+        height_named: end.get(third).is_some(),
+        before,
+        feed,
+        held: Vec::new(),
+    })
+}
 
-    fn check_heights(&self, span: Span, start: f64, contour: f64, safe: f64, plane: Option<Height>) -> Outcome {
-        if safe < contour || safe > start + SAME_POINT {
-            return self.core.refuse(span, codes::S2083::discl_lies_outside_way());
-        }
-        if self.st.is(GCode::G340) && safe == contour && start != contour {
-            return self.core.refuse(span, codes::P9011::under_g340_without_discl_tool_comes_down());
-        }
-        let between = |height: Height| (safe..=start.max(safe)).contains(&height.over(contour));
-        if plane.is_some_and(|height| !between(height)) {
-            return self.core.refuse(span, codes::S2083::disrp_lies_outside_way());
-        }
-        Ok(())
+/// The moves to the contour, whose first element is `path`.
+fn approach_moves(core: &Core<'_>, st: &State, soft: &Soft, end: &Pos, path: &Path) -> Outcome<Vec<SoftMove>> {
+    let plane = st.plane();
+    let third = st.roles()[2];
+    let Some(at) = st.position.in_plane(plane) else {
+        let [first, second, _] = st.roles();
+        let axis = if st.position.get(first).is_none() { first } else { second };
+        return st.unknown_axis(core, axis, soft.span);
+    };
+    let Some(heading) = direction_at_start(st, end, path) else {
+        return core.refuse(soft.span, codes::S2083::direction_behind_is_not_known());
+    };
+    let side = st.side();
+    let way = Way { shape: soft.sizes.shape, at, heading, span: soft.span };
+    let s = soft_side(core, st, way, side, soft.from.in_plane(plane))?;
+    let radius = if side == Side::None { 0.0 } else { st.path.radius() };
+    // Backwards along the contour its sides are swapped.
+    let touch = touch(soft.sizes.shape, soft.sizes.size, at, -heading, -s, radius);
+    let heights = approach_heights(core, st, soft, third)?;
+    let printed = st.printed_side(side);
+    let falls = st.is(GCode::G340);
+    if heights.is_some()
+        && soft.sizes.safe.is_none()
+        && soft.before.is_rapid()
+        && core.job.diags.first_time(codes::S8197, &soft.name)
+    {
+        let found = codes::S8197::has_no_discl(&soft.name).at(core.loc(soft.span));
+        core.report(found.help("program DISCL, and FAD for the way from there"));
     }
-
-    #[expect(clippy::too_many_arguments, reason = "the words of one block")]
-    fn retract(
-        &mut self,
-        code: GCode,
-        span: Span,
-        sizes: Sizes,
-        end: Pos,
-        side: Side,
-        ends: bool,
-        before: Path,
-    ) -> Outcome {
-        let plane = self.st.plane();
-        let [first, second, third] = self.st.roles();
-        if side != Side::None && !ends {
-            return self.core.refuse(span, codes::P9011::leaves_radius_compensation(&code.word()));
+    let place = |p: Option<Point2>, z: Option<f64>| {
+        let mut end = Pos::UNKNOWN;
+        if let Some(p) = p {
+            end.set_in_plane(plane, p);
         }
-        let Some(at) = self.st.position.in_plane(plane) else {
-            let axis = if self.st.position.get(first).is_none() { first } else { second };
-            return self.unknown_axis(axis, span);
-        };
-        let Some(heading) = self.heading_at(at) else {
-            return self.core.refuse(span, codes::S2083::direction_in_front_is_not_known());
-        };
-        let corner = |axis: Axis, old: f64| end.get(axis).unwrap_or(old);
-        let named = end.get(first).is_some() || end.get(second).is_some();
-        let far = Point2::new(corner(first, at.x), corner(second, at.y));
-        let s = self.soft_side(Way { shape: sizes.shape, at, heading, span }, side, named.then_some(far))?;
-        let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
-        let touch = touch(sizes.shape, sizes.size, at, heading, s, radius);
-        let heights = self.retract_heights(&sizes, end.get(third), span)?;
-        let Some(feed) = self.st.feed.word() else {
-            self.st.feed.lose();
-            return self.core.refuse(span, codes::P2002::no_feed_is_programmed_so_program_f());
-        };
-        self.straight_border();
-        let rises = self.st.is(GCode::G340);
-        let mut to = Pos::UNKNOWN;
-        to.set_in_plane(plane, touch.contour);
-        if let Some((heights, _)) = heights.filter(|_| rises) {
-            to.set(third, heights.safe);
+        if let Some(z) = z {
+            end.set(third, z);
         }
-        let old = if let Path::Line(feed) = before { feed } else { feed };
-        let path = path_of(plane, touch.circle, s > 0.0, old);
-        self.soft_move(to, path, self.st.printed_side(side));
-        // From here on the centre of the tool itself is meant.
-        let mut last = Pos::UNKNOWN;
-        last.set_in_plane(plane, touch.centre);
-        if let Some((heights, highest)) = heights {
-            self.rise(&mut last, heights, highest, [sizes.infeed.unwrap_or(feed), feed]);
+        end
+    };
+    let infeed = Path::straight(soft.sizes.infeed.or(soft.feed));
+    let mut moves = vec![(place(Some(touch.contour), heights.and_then(|h| h.first)), soft.before, printed)];
+    if let Some(heights) = heights {
+        moves.push((place(None, Some(heights.safe)), soft.before, printed));
+        if !falls && heights.safe != heights.contour {
+            moves.push((place(None, Some(heights.contour)), infeed, printed));
         }
-        let sent = last.get(third).is_some();
-        if named {
-            last.set_in_plane(plane, far);
-        }
-        if let Some(top) = end.get(third) {
-            last.set(third, top);
-        }
-        if named || !sent {
-            self.soft_move(last, Path::Line(feed), Side::None);
-        }
-        self.st.heading = Heading::Later;
-        self.st.position.move_to(&last);
-        Ok(())
     }
+    let way = if falls { soft.sizes.infeed.or(soft.feed) } else { soft.feed };
+    let to = place(Some(at), heights.map(|h| h.contour));
+    let path = way.map_or(Path::straight(None), |feed| path_of(plane, touch.circle, s > 0.0, feed));
+    moves.push((to, path, printed));
+    Ok(moves)
+}
 
-    /// The direction of the contour where it ends.
-    fn heading_at(&self, at: Point2) -> Option<Vec2> {
-        let plane = self.st.plane();
-        match self.st.heading {
-            Heading::Line(from) => from.in_plane(plane).and_then(|from| direction(at - from, SAME_POINT)),
+/// Direction of an element at its start, where the tool stands.
+fn direction_at_start(st: &State, end: &Pos, path: &Path) -> Option<Vec2> {
+    let plane = st.plane();
+    let at = st.position.in_plane(plane)?;
+    match path {
+        Path::Arc(arc, _) => match Heading::behind(arc, &st.position, end) {
             Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
             _ => None,
+        },
+        _ => {
+            let (first, second, _) = plane.axes();
+            let to = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
+            direction(Point2::new(to(first, at.x), to(second, at.y)) - at, SAME_POINT)
         }
     }
+}
 
-    /// Heights of a retraction, and the highest of them; `None` where the way stays in its plane. `top`: where the block ends.
-    fn retract_heights(&self, sizes: &Sizes, top: Option<f64>, span: Span) -> Outcome<Option<(Heights, f64)>> {
-        let [_, _, third] = self.st.roles();
-        let needed = sizes.safe.is_some() || sizes.plane.is_some() || top.is_some();
-        let Some(contour) = self.st.position.get(third) else {
-            return if needed { self.unknown_axis(third, span) } else { Ok(None) };
-        };
-        let safe = sizes.safe.map_or(contour, |height| height.over(contour));
-        let over = sizes.plane.map(|height| height.over(contour));
-        let highest = top.or(over).unwrap_or(safe);
-        self.check_heights(span, highest, contour, safe, sizes.plane)?;
-        Ok(Some((Heights { first: over, safe, contour }, highest)))
+/// The side from which the way comes, or to which it leads: 1 left, -1 right.
+/// A line without compensation has no side.
+fn soft_side(core: &Core<'_>, st: &State, way: Way, side: Side, far: Option<Point2>) -> Outcome<f64> {
+    let Way { shape, at, heading, span } = way;
+    let own = match st.printed_side(side) {
+        Side::None => None,
+        Side::Left => Some(1.0),
+        Side::Right => Some(-1.0),
+    };
+    let chosen = match st.codes.of(Group::SoftApproach).index {
+        2 => Some(1.0),
+        3 => Some(-1.0),
+        4 => far.map(|far| if cross(heading, far - at) >= 0.0 { 1.0 } else { -1.0 }),
+        _ => own,
+    };
+    match chosen {
+        Some(chosen) if own.is_none_or(|own| own == chosen) => Ok(chosen),
+        Some(_) => core.refuse(span, codes::P9011::way_leads_to_other_side_of_contour()),
+        None if shape == Shape::Line => Ok(1.0),
+        None => core.refuse(span, codes::S2083::side_of_way_is_not_known()),
     }
+}
 
-    /// From the plane of the contour over the safe height to the next one. `feeds`: of either way.
-    fn rise(&mut self, last: &mut Pos, heights: Heights, highest: f64, feeds: [Feed; 2]) {
-        let [_, _, third] = self.st.roles();
-        let rises = self.st.is(GCode::G340);
-        let first_stop = if rises { None } else { Some(heights.safe).filter(|z| *z != heights.contour) };
-        for (z, feed) in [first_stop, heights.first.or(Some(highest))].into_iter().zip(feeds) {
-            let stands = last.get(third).unwrap_or(if rises { heights.safe } else { heights.contour });
-            if let Some(z) = z.filter(|z| *z != stands) {
-                last.set(third, z);
-                self.soft_move(*last, Path::Line(feed), Side::None);
-            }
+/// Heights of an approach; `None` where the way stays in its plane.
+fn approach_heights(core: &Core<'_>, st: &State, soft: &Soft, third: Axis) -> Outcome<Option<Heights>> {
+    let (start, contour) = (soft.from.get(third), st.position.get(third));
+    let moves = contour != start || soft.sizes.safe.is_some() || soft.sizes.plane.is_some();
+    if !moves {
+        return Ok(None);
+    }
+    let (Some(start), Some(contour)) = (start, contour) else {
+        return st.unknown_axis(core, third, soft.span);
+    };
+    let safe = soft.sizes.safe.map_or(contour, |height| height.over(contour));
+    check_heights(core, st, soft.span, start, contour, safe, soft.sizes.plane)?;
+    Ok(Some(Heights { first: soft.sizes.plane.map(|height| height.over(contour)), safe, contour }))
+}
+
+fn check_heights(
+    core: &Core<'_>,
+    st: &State,
+    span: Span,
+    start: f64,
+    contour: f64,
+    safe: f64,
+    plane: Option<Height>,
+) -> Outcome {
+    if safe < contour || safe > start + SAME_POINT {
+        return core.refuse(span, codes::S2083::discl_lies_outside_way());
+    }
+    if st.is(GCode::G340) && safe == contour && start != contour {
+        return core.refuse(span, codes::P9011::under_g340_without_discl_tool_comes_down());
+    }
+    let between = |height: Height| (safe..=start.max(safe)).contains(&height.over(contour));
+    if plane.is_some_and(|height| !between(height)) {
+        return core.refuse(span, codes::S2083::disrp_lies_outside_way());
+    }
+    Ok(())
+}
+
+/// The moves from the contour; `None` where no feed is programmed.
+fn retract(
+    core: &Core<'_>,
+    st: &State,
+    (code, span): (GCode, Span),
+    sizes: Sizes,
+    end: Pos,
+    (side, ends): (Side, bool),
+    before: Path,
+) -> Outcome<Option<(Vec<SoftMove>, Pos)>> {
+    let plane = st.plane();
+    let [first, second, third] = st.roles();
+    if side != Side::None && !ends {
+        return core.refuse(span, codes::P9011::leaves_radius_compensation(&code.word()));
+    }
+    let Some(at) = st.position.in_plane(plane) else {
+        let axis = if st.position.get(first).is_none() { first } else { second };
+        return st.unknown_axis(core, axis, span);
+    };
+    let Some(heading) = st.heading.direction_at(plane, at) else {
+        return core.refuse(span, codes::S2083::direction_in_front_is_not_known());
+    };
+    let corner = |axis: Axis, old: f64| end.get(axis).unwrap_or(old);
+    let named = end.get(first).is_some() || end.get(second).is_some();
+    let far = Point2::new(corner(first, at.x), corner(second, at.y));
+    let s = soft_side(core, st, Way { shape: sizes.shape, at, heading, span }, side, named.then_some(far))?;
+    let radius = if side == Side::None { 0.0 } else { st.path.radius() };
+    let touch = touch(sizes.shape, sizes.size, at, heading, s, radius);
+    let heights = retract_heights(core, st, &sizes, end.get(third), span)?;
+    let Some(feed) = st.feed.word() else { return Ok(None) };
+    let rises = st.is(GCode::G340);
+    let mut to = Pos::UNKNOWN;
+    to.set_in_plane(plane, touch.contour);
+    if let Some((heights, _)) = heights.filter(|_| rises) {
+        to.set(third, heights.safe);
+    }
+    let old = if let Path::Line(feed) = before { feed } else { feed };
+    let path = path_of(plane, touch.circle, s > 0.0, old);
+    let mut moves = vec![(to, path, st.printed_side(side))];
+    // From here on the centre of the tool itself is meant.
+    let mut last = Pos::UNKNOWN;
+    last.set_in_plane(plane, touch.centre);
+    if let Some(heights) = heights {
+        rise(st, &mut moves, &mut last, heights, [sizes.infeed.unwrap_or(feed), feed]);
+    }
+    let sent = last.get(third).is_some();
+    if named {
+        last.set_in_plane(plane, far);
+    }
+    if let Some(top) = end.get(third) {
+        last.set(third, top);
+    }
+    if named || !sent {
+        moves.push((last, Path::Line(feed), Side::None));
+    }
+    Ok(Some((moves, last)))
+}
+
+/// Heights of a retraction, and the highest of them; `None` where the way stays in its plane. `top`: where the block ends.
+fn retract_heights(
+    core: &Core<'_>,
+    st: &State,
+    sizes: &Sizes,
+    top: Option<f64>,
+    span: Span,
+) -> Outcome<Option<(Heights, f64)>> {
+    let [_, _, third] = st.roles();
+    let needed = sizes.safe.is_some() || sizes.plane.is_some() || top.is_some();
+    let Some(contour) = st.position.get(third) else {
+        return if needed { st.unknown_axis(core, third, span) } else { Ok(None) };
+    };
+    let safe = sizes.safe.map_or(contour, |height| height.over(contour));
+    let over = sizes.plane.map(|height| height.over(contour));
+    let highest = top.or(over).unwrap_or(safe);
+    check_heights(core, st, span, highest, contour, safe, sizes.plane)?;
+    Ok(Some((Heights { first: over, safe, contour }, highest)))
+}
+
+/// From the plane of the contour over the safe height to the next one. `feeds`: of either way.
+fn rise(st: &State, moves: &mut Vec<SoftMove>, last: &mut Pos, (heights, highest): (Heights, f64), feeds: [Feed; 2]) {
+    let [_, _, third] = st.roles();
+    let rises = st.is(GCode::G340);
+    let first_stop = if rises { None } else { Some(heights.safe).filter(|z| *z != heights.contour) };
+    for (z, feed) in [first_stop, heights.first.or(Some(highest))].into_iter().zip(feeds) {
+        let stands = last.get(third).unwrap_or(if rises { heights.safe } else { heights.contour });
+        if let Some(z) = z.filter(|z| *z != stands) {
+            last.set(third, z);
+            moves.push((*last, Path::Line(feed), Side::None));
         }
     }
 }

@@ -1,101 +1,36 @@
 //! Programs of the machine builder that are found nowhere: what `[programs]` says stands for them.
 
-use crate::diag::{Answer, Fault, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::ir::Side;
 use crate::machine::settings::Leaves;
 use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
 use crate::sema::common::hidden::By;
 use crate::text::Span;
 
-use super::callee::{Missing, called_name};
-use super::entries::reserved;
 use super::feed::FeedLeft;
 use super::g_groups::GCode;
-use super::programs::without_extension;
+use super::left_behind::MayChange;
 use super::value::Val;
 use super::vars::Argument;
-use super::{Channel, Outcome, Reported, Run};
+use super::{Channel, Outcome};
 
-impl Run<'_> {
-    /// Calls the program `name`, or does what stands for it.
-    pub(super) fn call_by_name(&mut self, name: &str, span: Span, arguments: Vec<Argument>, passes: u32) -> Outcome {
-        if let Some(done) = self.stand_in(name, span, &arguments, passes) {
-            return done;
-        }
-        let unit = self.find_called(name, span, &arguments)?;
-        self.call_unit(unit, arguments, passes, false)
-    }
-
-    /// Finds a program that is called, and proposes what may stand for one that is nowhere.
-    pub(super) fn find_called(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome<usize> {
-        let found = self.look_for(name, span).or_else(|missing| match missing {
-            Missing::Reported => Err(Reported),
-            Missing::Nowhere(nowhere) => {
-                let plain = called_name(name);
-                let text = arguments.iter().position(|argument| matches!(argument.value, Val::Text(_)));
-                let call = NameOfCall {
-                    name: without_extension(&plain),
-                    text: text.map(|at| at + 1),
-                    arguments: !arguments.is_empty(),
-                    tool_waits: self.channel.st.tool.waiting().is_some() || self.channel.st.tool.waits_unnamed,
-                };
-                let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
-                let help = if known { call.help_of_word() } else { call.help() };
-                self.program_missing(&plain, nowhere, &help, span)
-            }
-        });
-        if found.is_err() {
-            // What it would have done is not known.
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
-        }
-        found
-    }
-
-    /// The file that `[programs]` gives in place of `name`, unless there is a program of that name.
-    pub(super) fn file_in_place_of(&mut self, name: &str) -> Option<String> {
-        match self.channel.core.job.settings.programs.get(name) {
-            Some(StandIn::File(file)) if !self.is_here(name) => Some(file.clone()),
-            _ => None,
-        }
-    }
-
-    /// What the call of `name` does by `[programs]`; `None` for a program that is looked for.
-    fn stand_in(&mut self, name: &str, span: Span, arguments: &[Argument], passes: u32) -> Option<Outcome> {
-        let name = called_name(name);
-        let name = without_extension(&name);
-        let change = match self.channel.core.job.settings.programs.get(name)? {
-            StandIn::File(_) => return None,
-            StandIn::Change(change) => Some(*change),
-            StandIn::Ignored => None,
-        };
-        if self.is_here(name) {
-            return None;
-        }
-        let done = match change {
-            Some(change) => self.channel.change_by_program(name, &change, span, arguments, passes),
-            None if super::cycles::measures(name) => self.measuring_is_ignored(name, span, arguments),
-            None => self.channel.leave_call_out(name, span, arguments),
-        };
-        Some(done.and_then(|()| self.leave_technology(name, span)))
-    }
-
-    /// What `[programs]` says of feed and spindle is done as a block of these words would do it.
-    fn leave_technology(&mut self, name: &str, span: Span) -> Outcome {
-        let left = self.channel.core.job.settings.left_by(name);
-        let loc = self.channel.core.loc(span);
+impl Channel<'_> {
+    /// What `[programs]` says of feed and spindle: the words of a block that would do it, if there are any.
+    pub(super) fn leave_technology(&mut self, name: &str, span: Span) -> Option<Vec<u8>> {
+        let left = self.core.job.settings.left_by(name);
+        let loc = self.core.loc(span);
         let mut words: Vec<String> = Vec::new();
         match left.feed {
             Some(Left::Value(feed)) => words.push(format!("F{feed}")),
-            Some(Left::Lost) => self.channel.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: true }),
-            None if self.channel.st.feed.word().is_some() => {
-                self.channel.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: false });
+            Some(Left::Lost) => self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: true }),
+            None if self.st.feed.word().is_some() => {
+                self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: false });
             }
             None => {}
         }
         match left.speed {
             Some(Left::Value(speed)) => words.push(format!("S{speed}")),
-            Some(Left::Lost) => self.channel.speed_lost = Some(Box::new((name.to_owned(), loc))),
+            Some(Left::Lost) => self.left.speed = Some(Box::new((name.to_owned(), loc))),
             None => {}
         }
         words.extend(left.spindle.map(|spindle| match spindle {
@@ -103,48 +38,45 @@ impl Run<'_> {
             LeftSpindle::CounterClockwise => "M4".to_owned(),
             LeftSpindle::Stopped => "M5".to_owned(),
         }));
-        self.channel.call_left = Some(Box::new((name.to_owned(), loc)));
-        if words.is_empty() { Ok(()) } else { self.execute_line(words.join(" ").as_bytes(), span) }
+        self.left.last = Some(Box::new((name.to_owned(), loc)));
+        (!words.is_empty()).then(|| words.join(" ").into_bytes())
     }
 
-    /// The same of a call behind MCALL.
-    pub(super) fn modal_stand_in(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Option<Outcome> {
-        let name = without_extension(name);
-        let changes = match self.channel.core.job.settings.programs.get(name)? {
-            StandIn::File(_) => return None,
-            StandIn::Change(_) => true,
-            StandIn::Ignored => false,
-        };
-        if self.is_here(name) {
-            return None;
+    /// What stands for a program behind MCALL: only one that does nothing can, after each move.
+    pub(super) fn modal_stand_in(
+        &mut self,
+        name: &str,
+        stand_in: &StandIn,
+        span: Span,
+        arguments: &[Argument],
+    ) -> Outcome {
+        self.st.modal_call.end();
+        if matches!(stand_in, StandIn::Change(_)) {
+            return self.core.refuse(span, codes::S2043::changes_tool(&name));
         }
-        self.channel.st.modal_call.end();
-        if changes {
-            return Some(self.channel.core.refuse(span, codes::S2043::changes_tool(&name)));
+        let measures = super::cycles::measures(name);
+        if !measures && self.core.job.settings.left_by(name) != Leaves::default() {
+            return self.core.refuse(span, codes::S2043::mcall_calls_after_each_move(&name));
         }
-        if super::cycles::measures(name) {
-            return Some(self.measuring_is_ignored(name, span, arguments));
+        self.leave_call_out(name, span, arguments)?;
+        if !measures {
+            self.leave_technology(name, span);
         }
-        let left = self.channel.core.job.settings.left_by(name);
-        if left != Leaves::default() {
-            return Some(self.channel.core.refuse(span, codes::S2043::mcall_calls_after_each_move(&name)));
-        }
-        Some(self.channel.leave_call_out(name, span, arguments).and_then(|()| self.leave_technology(name, span)))
+        Ok(())
     }
 
-    /// What a measuring cycle sets, and where it leaves the probe, is as open as where the key leaves it out.
-    fn measuring_is_ignored(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
-        let values: Vec<Val> = arguments.iter().map(|argument| argument.value.clone()).collect();
-        self.channel.leave_cycle_out(name, &values, span)
-    }
-}
-
-impl Channel<'_> {
     /// `name` does nothing.
-    fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
-        self.says_stand_in(span, codes::P8105::is_left_out_as_programs_says(&name));
-        self.may_have_changed(name, span, arguments);
-        self.motion_left = Some(Box::new((name.to_owned(), self.core.loc(span))));
+    pub(super) fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
+        // What a measuring cycle sets, and where it leaves the probe, is as open as where the key leaves it out.
+        if super::cycles::measures(name) {
+            let values: Vec<Val> = arguments.iter().map(|argument| argument.value.clone()).collect();
+            return self.leave_cycle_out(name, &values, span);
+        }
+        self.core.report_new(codes::P8105::is_left_out_as_programs_says(&name).at(self.core.loc(span)));
+        if let Some(may) = MayChange::of_call(&self.st, self.core.job.settings, arguments) {
+            self.left.may_have_changed(&mut self.core, may, name, span);
+        }
+        self.left.motion = Some(Box::new((name.to_owned(), self.core.loc(span))));
         self.leave_behind(name, span)
     }
 
@@ -169,79 +101,7 @@ impl Channel<'_> {
         Ok(())
     }
 
-    /// What a feed move lacks: `usual`, and where no G code of the path stands between it and a call that stands for a program of
-    /// the machine, that the call may leave G0 active.
-    pub(super) fn or_left_at_rapid(&self, usual: Help) -> Help {
-        let Some((name, loc)) = self.motion_left.as_deref() else { return usual };
-        let settings = &self.core.job.settings;
-        if settings.left_by(name).rapid.is_some() {
-            return usual;
-        }
-        let Some(entry) = self.entry_with(name, "motion = \"G0\"") else { return usual };
-        let text = format!(
-            "{}; or if {name} in line {} leaves G0 active, say so: `[programs] {name} = {entry}`",
-            usual.text, loc.line
-        );
-        let answer = Answer::key("programs", name).one_of(&[entry]);
-        let mut help = Help { text, answers: usual.answers };
-        help.answers.insert(0, answer);
-        help
-    }
-
-    /// The entry of `[programs]` for this call with one thing more in it.
-    fn entry_with(&self, name: &str, more: &str) -> Option<String> {
-        let settings = &self.core.job.settings;
-        let what = match settings.programs.get(name)? {
-            StandIn::Change(ChangeCall { tool: Some(tool), .. }) => format!("tool = {tool}"),
-            StandIn::Change(ChangeCall { tool: None, .. }) => "change = true".to_owned(),
-            StandIn::Ignored => "ignore = true".to_owned(),
-            StandIn::File(_) => return None,
-        };
-        let edge = match settings.programs.get(name) {
-            Some(StandIn::Change(ChangeCall { edge: Some(edge), .. })) => format!(", d = {edge}"),
-            _ => String::new(),
-        };
-        let left = settings.left_by(name);
-        let motion = left.rapid.map(|rapid| if rapid { ", motion = \"G0\"" } else { ", motion = \"G1\"" });
-        let axes: Vec<String> = left.lost.iter().map(|axis| format!("\"{}\"", axis.letter())).collect();
-        let lost = if axes.is_empty() { String::new() } else { format!(", lost = [{}]", axes.join(", ")) };
-        let value = |key: &str, value: Option<Left>| match value {
-            Some(Left::Value(value)) => format!(", {key} = {value}"),
-            Some(Left::Lost) => format!(", {key} = \"lost\""),
-            None => String::new(),
-        };
-        let (feed, speed) = (value("feed", left.feed), value("speed", left.speed));
-        Some(format!("{{ {what}{edge}{}{lost}{feed}{speed}, {more} }}", motion.unwrap_or_default()))
-    }
-
-    /// What a spindle lacks that does not turn: `usual`, and after a call that stands for a program of the machine, that the call may
-    /// start it.
-    pub(super) fn or_started_by_call(&self, usual: Help) -> Help {
-        let Some((name, loc)) = self.call_left.as_deref() else { return usual };
-        if self.core.job.settings.left_by(name).spindle.is_some() {
-            return usual;
-        }
-        let entries: Vec<String> =
-            ["M3", "M4"].iter().filter_map(|m| self.entry_with(name, &format!("spindle = \"{m}\""))).collect();
-        let [entry, ..] = &entries[..] else { return usual };
-        let text = format!(
-            "{}; or if {name} in line {} starts the spindle, say so: `[programs] {name} = {entry}`",
-            usual.text, loc.line
-        );
-        let answer = Answer::key("programs", name).one_of(&entries);
-        let mut help = Help { text, answers: usual.answers };
-        help.answers.insert(0, answer);
-        help
-    }
-
-    fn says_stand_in(&mut self, span: Span, fault: Fault) {
-        let found = fault.at(self.core.loc(span));
-        if !self.core.job.diags.knows(&found) {
-            self.core.report(found);
-        }
-    }
-
-    fn change_by_program(
+    pub(super) fn change_by_program(
         &mut self,
         name: &str,
         change: &ChangeCall,
@@ -280,9 +140,9 @@ impl Channel<'_> {
         self.only_known_axes_stand();
         self.stand_after_change();
         self.leave_behind(name, span)?;
-        self.motion_left = Some(Box::new((name.to_owned(), self.core.loc(span))));
+        self.left.motion = Some(Box::new((name.to_owned(), self.core.loc(span))));
         let left = left_out(change, arguments);
-        self.says_stand_in(span, codes::P8105::changes_tool_as_programs_says(&name, &left));
+        self.core.report_new(codes::P8105::changes_tool_as_programs_says(&name, &left).at(self.core.loc(span)));
         Ok(())
     }
 
@@ -295,7 +155,7 @@ impl Channel<'_> {
             }
             None | Some(Val::Missing) => self.core.refuse(span, codes::S2043::has_no_argument(&name, &place)),
             Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
-                Some(number) => self.tool_by_number(number as u32, span),
+                Some(number) => self.core.tool_by_number(number as u32, span),
                 None => self.core.refuse(span, codes::S2043::argument_of_is_no_tool(&place, &name)),
             },
         }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, codes};
+use crate::diag::codes;
 use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Frame, Side};
@@ -11,8 +11,9 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
 
-use super::Channel;
+use super::Core;
 use super::angle_lines::Pair;
+use super::compensation::CompensationState;
 use super::corners::Corners;
 use super::diameter::Diameter;
 use super::editor_contour::Stored;
@@ -29,8 +30,9 @@ use super::system_variables::SystemVariables;
 use super::tangent::Heading;
 use super::tapping::Taps;
 use super::threads::Threads;
-use super::tool::{CompensationState, ToolInUse};
+use super::tool::ToolInUse;
 use super::transformation::Transformed;
+use super::vocabulary::Address;
 
 /// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]
@@ -38,6 +40,8 @@ pub(super) struct State {
     pub codes: ActiveCodes,
     pub machine: MachineData,
     pub ctx: CtxRef,
+    /// A contour is described, which nothing moves along.
+    pub describes: bool,
     /// The numbers last programmed count where a frame changed (SD 42440).
     pub position: Position,
     /// The way of the last block that travelled.
@@ -74,17 +78,25 @@ pub(super) struct State {
 pub(super) struct MachineData {
     pub geometry_axes: [Axis; 3],
     pub lathe: bool,
-    basic_unit: Unit,
+    pub basic_unit: Unit,
     /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
     pub modulo: AxisSet,
+}
+
+impl MachineData {
+    /// Interpolation parameters with the geometry axes they belong to (MD 20050).
+    pub fn parameters(&self, names: [Address; 3]) -> [(Address, Axis); 3] {
+        let axes = self.geometry_axes;
+        [(names[0], axes[0]), (names[1], axes[1]), (names[2], axes[2])]
+    }
 }
 
 /// What SAVE brings back.
 #[derive(Debug, Clone)]
 pub(super) struct Saved {
-    codes: ActiveCodes,
-    smoothing: Smoothing,
-    frames: SavedFrames,
+    pub codes: ActiveCodes,
+    pub smoothing: Smoothing,
+    pub frames: SavedFrames,
 }
 
 impl State {
@@ -98,6 +110,7 @@ impl State {
             codes,
             machine: MachineData { geometry_axes: machine.geometry_axes, lathe, basic_unit, modulo: machine.modulo },
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
+            describes: false,
             position: Position::new(Start::new(settings, codes.is(GCode::DIAMON))),
             heading: Heading::None,
             polar: Polar::default(),
@@ -125,6 +138,7 @@ impl State {
     /// A contour is described from here on: it does not depend on where the tool stands, and what waits for a block
     /// outside waits for no block of it.
     pub fn begin_contour(&mut self) {
+        self.describes = true;
         self.position.forget(AxisSet::ALL);
         self.position.not_lost(AxisSet::ALL);
         self.modal_call = ModalCall::default();
@@ -186,11 +200,7 @@ impl State {
     }
 
     pub fn side(&self) -> Side {
-        match self.codes.of(Group::Compensation) {
-            GCode::G41 => Side::Left,
-            GCode::G42 => Side::Right,
-            _ => Side::None,
-        }
+        self.codes.side()
     }
 
     /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
@@ -259,69 +269,30 @@ impl State {
             self.polar.plane_changed();
         }
     }
-}
-
-impl Channel<'_> {
-    pub(super) fn restore(&mut self, saved: Saved) {
-        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
-        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
-        self.st.codes = saved.codes;
-        self.st.smoothing.restore(saved.smoothing);
-        self.st.frames.set_programmable(saved.frames.programmable);
-        self.st.set_plane(plane);
-        if !self.st.is(offset) {
-            // The work offset of the call comes back, whatever MD 10617 says.
-            let _: super::Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
-        } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
-            self.restore_offset_frame(saved.frames.settable);
-        }
-        self.refresh_frame();
-        if changed {
-            self.st.feed_mode_changed();
-        }
-        self.send_smoothing();
-    }
-
-    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
-    fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
-        let chosen = self.core.job.settings.control.sinumerik.save_restores_offset;
-        if chosen == Some(true) {
-            self.st.frames.set_settable(frame);
-        } else if chosen.is_none() {
-            let found = codes::S9018::program_with_save_changed_frame_of_work().at(self.core.here.origin.loc);
-            self.core.report(
-                found.help(
-                    Answer::key("control", "md10617")
-                        .help("set `[control] md10617`, or select the offset again in the calling program"),
-                ),
-            );
-        }
-    }
 
     /// Makes the context fit the frames; the tool stays where it is.
-    pub(super) fn refresh_frame(&mut self) {
-        let Some(frame) = self.st.frames.total().map() else {
-            self.st.position.lose(AxisSet::ALL);
-            self.st.frames.set_programmable(FrameValue::default());
-            let _: super::Outcome = self.core.refuse(Where::Block, codes::S2034::frame_cannot_be_used());
+    pub(super) fn refresh_frame(&mut self, core: &Core<'_>) {
+        let Some(frame) = self.frames.total().map() else {
+            self.position.lose(AxisSet::ALL);
+            self.frames.set_programmable(FrameValue::default());
+            let _: super::Outcome = core.refuse(Where::Block, codes::S2034::frame_cannot_be_used());
             return;
         };
-        if frame != self.st.ctx.frame {
-            self.warn_of_mirrored_tool_axis(&frame);
-            self.st.heading =
-                self.st.heading.across_frames(&self.st.position, frame.linear() != self.st.ctx.frame.linear());
-            self.st.position.keep_programmed();
-            self.st.position.through_frame(&self.st.ctx.frame, &frame);
-            self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });
+        if frame != self.ctx.frame {
+            self.warn_of_mirrored_tool_axis(core, &frame);
+            self.heading = self.heading.across_frames(&self.position, frame.linear() != self.ctx.frame.linear());
+            self.position.keep_programmed();
+            self.position.through_frame(&self.ctx.frame, &frame);
+            self.ctx = Rc::new(Ctx { frame, ..(*self.ctx).clone() });
         }
     }
 
-    fn warn_of_mirrored_tool_axis(&mut self, next: &Frame) {
-        let [_, _, axis] = self.st.roles();
+    fn warn_of_mirrored_tool_axis(&mut self, core: &Core<'_>, next: &Frame) {
+        let [_, _, axis] = self.roles();
         let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
-        if turned(next) && !turned(&self.st.ctx.frame) {
-            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(self.core.here.origin.loc);
-            self.core.report(found.help("check that this is meant; most often another axis is"));
+        if turned(next) && !turned(&self.ctx.frame) {
+            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(core.here.origin.loc);
+            core.report(found.help("check that this is meant; most often another axis is"));
         }
     }
 }

@@ -6,12 +6,11 @@ use crate::diag::{Answer, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet};
-use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
 use super::frames::FrameValue;
 use super::value::whole;
-use super::{Channel, Outcome, Run};
+use super::{Channel, Outcome};
 
 /// Places of the arguments, from 0.
 const RETRACTION: usize = 0;
@@ -24,8 +23,10 @@ const DIRECTION: usize = 13;
 const RETRACTION_WAY: usize = 14;
 const MODE_OF_SCREEN: usize = 15;
 
+/// The name of the swivel record.
+pub(super) const RECORD: usize = 1;
 /// Most arguments.
-const MOST: usize = 16;
+pub(super) const MOST: usize = 16;
 
 /// What the call gives.
 #[derive(Debug, Default)]
@@ -42,48 +43,15 @@ struct Swivel {
     shift: [f64; 3],
 }
 
-impl Run<'_> {
-    /// `CYCLE800(…)`. Angles move axes that the target does not have.
-    pub(super) fn swivel(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        let mut values = [0.0; MOST];
-        for (at, formula) in formulas.iter().enumerate().filter(|(_, formula)| !formula.is_missing()) {
-            // The name of the swivel record.
-            if at == 1 {
-                continue;
-            }
-            let value = self.number(*formula, block, text)?;
-            match values.get_mut(at) {
-                Some(place) => *place = value,
-                None => {
-                    return self.channel.core.refuse(formula.span, codes::S2021::cycle800_takes_arguments(&MOST));
-                }
-            }
-            if (ANGLES..AFTER).contains(&at) && value != 0.0 {
-                self.channel.st.position.lose(AxisSet::ALL);
-                self.channel.lost();
-                let name = ["_A", "_B", "_C"].get(at - ANGLES).copied().unwrap_or_default();
-                return self
-                    .channel
-                    .core
-                    .refuse(formula.span, codes::S9006::cycle800_swivels_working_plane(&name, &value, &(at + 1)));
-            }
-            self.channel.known_code(at, value, formula.span)?;
-        }
-        let unit = self.channel.st.length_unit();
-        let swivel = Swivel {
-            retraction: values[RETRACTION],
-            way: values[RETRACTION_WAY] * unit,
-            resets: formulas.len() <= 1,
-            additive: whole(values[STATE]).is_some_and(|state| state % 10 == 1),
-            shift: [0, 1, 2].map(|axis| (values[BEFORE + axis] + values[AFTER + axis]) * unit),
-        };
-        self.channel.swivel_by_nothing(&swivel, span)
-    }
-}
-
 impl Channel<'_> {
-    /// Codes of which nobody knows what they turn.
-    fn known_code(&mut self, at: usize, value: f64, span: Span) -> Outcome {
+    /// An argument alone: an angle, or a code of which somebody knows what it turns.
+    pub(super) fn swivel_argument(&mut self, at: usize, value: f64, span: Span) -> Outcome {
+        if (ANGLES..AFTER).contains(&at) && value != 0.0 {
+            self.st.position.lose(AxisSet::ALL);
+            self.lost();
+            let name = ["_A", "_B", "_C"].get(at - ANGLES).copied().unwrap_or_default();
+            return self.core.refuse(span, codes::S9006::cycle800_swivels_working_plane(&name, &value, &(at + 1)));
+        }
         let code = whole(value);
         let (name, known, wanted) = match at {
             STATE => (
@@ -104,7 +72,16 @@ impl Channel<'_> {
         self.core.refuse(span, codes::S9006::cycle800_has_no(&value, &name, &(at + 1), &wanted))
     }
 
-    fn swivel_by_nothing(&mut self, swivel: &Swivel, span: Span) -> Outcome {
+    /// `CYCLE800(…)` without angles; `resets` where it has no argument but the retraction.
+    pub(super) fn swivel_by_nothing(&mut self, values: &[f64; MOST], resets: bool, span: Span) -> Outcome {
+        let unit = self.st.length_unit();
+        let swivel = &Swivel {
+            retraction: values[RETRACTION],
+            way: values[RETRACTION_WAY] * unit,
+            resets,
+            additive: whole(values[STATE]).is_some_and(|state| state % 10 == 1),
+            shift: [0, 1, 2].map(|axis| (values[BEFORE + axis] + values[AFTER + axis]) * unit),
+        };
         let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
         if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
             return self.core.refuse(span, codes::S9006::cycle800_may_turn_back_to_0(&axis.letter()));
@@ -128,13 +105,14 @@ impl Channel<'_> {
     }
 
     /// `CYCLE800()`: back to the plane that is not swivelled.
-    pub(super) fn swivel_off(&mut self) {
+    pub(super) fn swivel_off(&mut self, span: Span) {
         self.shift_workpiece(FrameValue::default());
+        self.core.say_once(span, codes::S8103::words_that_only_steer_control());
     }
 
     fn shift_workpiece(&mut self, shift: FrameValue) {
         self.st.frames.set_swivelled(shift);
-        self.refresh_frame();
+        self.st.refresh_frame(&self.core);
     }
 
     /// A shift stands outside of the programmable frame, which a new plane deletes on the control.
@@ -206,7 +184,7 @@ impl Channel<'_> {
         if way < 0.0 {
             return self.core.refuse(span, codes::S9006::retraction_fr_i());
         }
-        let Some(at) = self.st.position.get(Axis::Z) else { return self.unknown_axis(Axis::Z, span) };
+        let Some(at) = self.st.position.get(Axis::Z) else { return self.st.unknown_axis(&self.core, Axis::Z, span) };
         let mut end = Pos::UNKNOWN;
         end.set(Axis::Z, at + way);
         self.leaves_touched(end.known(), true)?;

@@ -5,12 +5,12 @@
 //!
 //! Source: S 6 (docs/sources.md).
 
-use crate::diag::{Answer, Label, codes};
-use crate::parser::sinumerik::ast::Block;
+use crate::diag::{Answer, Fault, Label, codes};
 use crate::text::{Loc, Span};
 
+use super::line::Line;
 use super::vars::Slot;
-use super::{Channel, Outcome, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 
 /// Longest text of an action that a message shows.
 const MOST_SHOWN: usize = 60;
@@ -41,126 +41,100 @@ pub(super) struct SetBeside {
 }
 
 impl SetBeside {
-    pub fn is_empty(&self) -> bool {
-        self.names.is_empty() && self.globals.is_empty()
-    }
-
-    /// The action that sets this R parameter.
-    fn sets_r(&self, n: u32) -> Option<Loc> {
-        let is_it = |name: &str| name == "R" || name.strip_prefix('R').is_some_and(|digits| digits.parse() == Ok(n));
-        self.names.iter().find(|(name, _)| is_it(name)).map(|(_, loc)| *loc)
-    }
-
-    /// The action that sets this system variable.
-    fn sets_system(&self, word: &str, key: &str) -> Option<Loc> {
-        self.names.iter().find(|(name, _)| name == word || name == key).map(|(_, loc)| *loc)
-    }
-
-    fn sets_global(&self, slot: Slot) -> Option<Loc> {
-        self.globals.iter().find(|(known, _)| *known == slot).map(|(_, loc)| *loc)
-    }
-}
-
-impl Run<'_> {
-    /// A synchronized action: refused, or left out where nothing of it reaches what is compiled.
-    pub(super) fn synchronized_action(&mut self, block: &Block, text: &[u8], span: Span) -> Outcome {
-        let code = String::from_utf8_lossy(block.span.of(text)).to_ascii_uppercase();
-        let shown = shown(&code);
-        let Some(effects) = effects(&code) else {
-            return self.channel.core.refuse(span, codes::S9004::synchronized_action_has_no_do_that_can());
-        };
-        for effect in &effects {
-            let reached = match effect {
-                Effect::Reaches(what) => what.clone(),
-                Effect::WritesName(name) if self.global_named(name).is_none() => {
-                    format!("`{name}` is no output, and no variable of all programs")
-                }
-                _ => continue,
-            };
-            return self
-                .channel
-                .core
-                .refuse(span, codes::S9004::synchronized_action_cannot_be_left_out(&shown, &reached));
-        }
-        if !self.channel.core.job.settings.control.sinumerik.beside.synchronized {
-            let help = "if the target needs nothing of it, leave such actions out: `[control] synchronized_actions = \
-                        \"leave-out\"`; or replace it by blocks of the program";
-            let help = Answer::key("control", "synchronized_actions").one_of(&["\"leave-out\""]).help(help);
-            return self.channel.core.refuse(span, codes::S9004::synchronized_actions_run_beside_program().help(help));
-        }
-        let loc = self.channel.core.loc(span);
-        for effect in &effects {
-            match effect {
-                Effect::Writes(name) => self.channel.set_beside.names.push((name.clone(), loc)),
-                Effect::WritesName(name) => {
-                    let slot = self.global_named(name);
-                    self.channel.set_beside.globals.extend(slot.map(|slot| (slot, loc)));
-                }
-                Effect::Function(_) | Effect::Pace | Effect::Manages | Effect::Reaches(_) => {}
-            }
-        }
-        self.says_left_out(&shown, &effects, loc);
-        Ok(())
-    }
-
-    /// A variable of all programs, which an action may set.
-    fn global_named(&mut self, name: &str) -> Option<Slot> {
-        let symbol = self.channel.core.symbols.intern(name.as_bytes());
-        self.known_variable(symbol).filter(|slot| matches!(slot, Slot::Global(_)))
-    }
-
-    fn says_left_out(&self, shown: &str, effects: &[Effect], loc: Loc) {
-        let functions: Vec<&str> = effects
-            .iter()
-            .filter_map(|effect| if let Effect::Function(text) = effect { Some(text.as_str()) } else { None })
-            .collect();
-        let list = functions.join(", ");
-        let found = match (functions.is_empty(), effects.contains(&Effect::Pace)) {
-            (true, false) => codes::S8165::synchronized_action_is_left_out(&shown),
-            (false, false) => codes::S8165::synchronized_action_is_left_out_with(&shown, &list),
-            (true, true) => codes::S8165::synchronized_action_of_pace_is_left_out(&shown),
-            (false, true) => codes::S8165::synchronized_action_of_pace_is_left_out_with(&shown, &list),
-        };
-        let found = found.at(loc);
-        if !self.channel.core.job.diags.knows(&found) {
-            self.channel.core.report(found);
-        }
-    }
-
     /// No value of an R parameter that an action beside the program sets.
-    pub(super) fn r_is_own(&self, n: u32, span: Span) -> Outcome {
-        match self.channel.set_beside.sets_r(n) {
-            Some(at) => self.channel.is_set_beside(&format!("R{n}"), at, span),
+    #[inline]
+    pub fn leaves_r(&self, n: u32, core: &Core<'_>, span: Span) -> Outcome {
+        let is_it = |name: &str| name == "R" || name.strip_prefix('R').is_some_and(|digits| digits.parse() == Ok(n));
+        match self.names.iter().find(|(name, _)| is_it(name)) {
+            Some((_, at)) => is_set_beside(&format!("R{n}"), *at, core, span),
             None => Ok(()),
         }
     }
 
     /// The same of a variable of all programs.
-    pub(super) fn variable_is_own(&self, slot: Slot, span: Span) -> Outcome {
-        match (self.channel.set_beside.sets_global(slot), slot) {
-            (Some(at), Slot::Global(name)) => {
-                self.channel.is_set_beside(self.channel.core.symbols.name(name), at, span)
-            }
+    #[inline]
+    pub fn leaves_variable(&self, slot: Slot, core: &Core<'_>, span: Span) -> Outcome {
+        match (self.globals.iter().find(|(known, _)| *known == slot), slot) {
+            (Some((_, at)), Slot::Global(name)) => is_set_beside(core.symbols.name(name), *at, core, span),
             _ => Ok(()),
+        }
+    }
+
+    /// The same of a system variable.
+    pub fn leaves_system(&self, word: &str, key: &str, core: &Core<'_>, span: Span) -> Outcome {
+        match self.names.iter().find(|(name, _)| name == word || name == key) {
+            Some((_, at)) => is_set_beside(key, *at, core, span),
+            None => Ok(()),
         }
     }
 }
 
-impl Channel<'_> {
-    /// The same of a system variable.
-    pub(super) fn system_is_own(&self, word: &str, key: &str, span: Span) -> Outcome {
-        match self.set_beside.sets_system(word, key) {
-            Some(at) => self.is_set_beside(key, at, span),
-            None => Ok(()),
-        }
-    }
+fn is_set_beside<T>(name: &str, at: Loc, core: &Core<'_>, span: Span) -> Outcome<T> {
+    let found = codes::S9022::is_set_by_synchronized_action_in_line(&name, &at.line);
+    let found = found.at(core.loc(span)).also(at, Label::ActionSets);
+    core.report(found.help("let the program compute the value itself, and take it out of the action"));
+    Err(Reported)
+}
 
-    fn is_set_beside<T>(&self, name: &str, at: Loc, span: Span) -> Outcome<T> {
-        let found = codes::S9022::is_set_by_synchronized_action_in_line(&name, &at.line)
-            .at(self.core.loc(span))
-            .also(at, Label::ActionSets);
-        self.core.report(found.help("let the program compute the value itself, and take it out of the action"));
-        Err(super::Reported)
+impl Run<'_> {
+    /// A synchronized action: refused, or left out where nothing of it reaches what is compiled.
+    pub(super) fn synchronized_action(&mut self, line: Line<'_>, span: Span) -> Outcome {
+        let code = String::from_utf8_lossy(line.block.span.of(line.text)).to_ascii_uppercase();
+        let shown = shown(&code);
+        let Some(effects) = effects(&code) else {
+            return self.channel.core.refuse(span, codes::S9004::synchronized_action_has_no_do_that_can());
+        };
+        // Variables of all programs, which an action may set.
+        let mut globals = Vec::new();
+        for effect in &effects {
+            let reached = match effect {
+                Effect::Reaches(what) => what.clone(),
+                Effect::WritesName(name) => {
+                    let symbol = self.channel.core.symbols.intern(name.as_bytes());
+                    match self.known_variable(symbol) {
+                        Some(slot @ Slot::Global(_)) => {
+                            globals.push(slot);
+                            continue;
+                        }
+                        _ => format!("`{name}` is no output, and no variable of all programs"),
+                    }
+                }
+                _ => continue,
+            };
+            let fault = codes::S9004::synchronized_action_cannot_be_left_out(&shown, &reached);
+            return self.channel.core.refuse(span, fault);
+        }
+        let Channel { core, set_beside, .. } = &mut self.channel;
+        if !core.job.settings.control.sinumerik.beside.synchronized {
+            let help = "if the target needs nothing of it, leave such actions out: `[control] synchronized_actions = \
+                        \"leave-out\"`; or replace it by blocks of the program";
+            let help = Answer::key("control", "synchronized_actions").one_of(&["\"leave-out\""]).help(help);
+            return core.refuse(span, codes::S9004::synchronized_actions_run_beside_program().help(help));
+        }
+        let loc = core.loc(span);
+        set_beside.globals.extend(globals.into_iter().map(|slot| (slot, loc)));
+        for effect in &effects {
+            if let Effect::Writes(name) = effect {
+                set_beside.names.push((name.clone(), loc));
+            }
+        }
+        core.report_new(left_out(&shown, &effects).at(loc));
+        Ok(())
+    }
+}
+
+/// What is said of an action that is left out.
+fn left_out(shown: &str, effects: &[Effect]) -> Fault {
+    let functions: Vec<&str> = effects
+        .iter()
+        .filter_map(|effect| if let Effect::Function(text) = effect { Some(text.as_str()) } else { None })
+        .collect();
+    let list = functions.join(", ");
+    match (functions.is_empty(), effects.contains(&Effect::Pace)) {
+        (true, false) => codes::S8165::synchronized_action_is_left_out(&shown),
+        (false, false) => codes::S8165::synchronized_action_is_left_out_with(&shown, &list),
+        (true, true) => codes::S8165::synchronized_action_of_pace_is_left_out(&shown),
+        (false, true) => codes::S8165::synchronized_action_of_pace_is_left_out_with(&shown, &list),
     }
 }
 

@@ -2,20 +2,18 @@
 //!
 //! Source: S 4.7 and 5.7 (docs/sources.md).
 
-use std::rc::Rc;
-
 use crate::diag::{Answer, Help, codes};
-use crate::machine::Axis;
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
-use super::control_folders::control_path;
-use super::frames::{Component, FrameValue};
+use super::frames::FrameValue;
 use super::offsets::{Outer, offset_word};
 use super::state::State;
 use super::system_meanings::{is_measured, meaning_of, said_meaning};
-use super::value::{Val, whole};
-use super::{Channel, Core, Outcome, Run};
+use super::system_variables::SystemVariables;
+use super::tool_questions::tool_is_asked;
+use super::value::Val;
+use super::{Channel, Core, Outcome};
 
 impl State {
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
@@ -26,93 +24,6 @@ impl State {
             _ => 1.0,
         }
     }
-
-    /// Millimetres in the unit of a component of a frame.
-    pub(super) fn component_unit(&self, axis: Axis, component: Component) -> f64 {
-        match component {
-            Component::Shift | Component::Fine if !axis.is_rotary() => self.feed_unit(),
-            _ => 1.0,
-        }
-    }
-}
-
-impl Run<'_> {
-    /// Functions that make frames or ask about the program.
-    pub(super) fn program_function(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
-        match name {
-            "CTRANS" => self.channel.axis_pairs(args, span).map(|pairs| frame(FrameValue::shifted(&pairs))),
-            "CFINE" => self.channel.axis_pairs(args, span).map(|pairs| frame(FrameValue::fine(&pairs))),
-            "CROT" => self.channel.core.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
-            "CSCALE" => self.channel.core.triple(args, 1.0, span).and_then(|scale| {
-                if scale.contains(&0.0) {
-                    return self.channel.core.refuse(span, codes::S2034::scaling_factor_is_0());
-                }
-                Ok(frame(FrameValue::scaled(scale)))
-            }),
-            "CMIRROR" => self.channel.core.mirrored(args, span),
-            "CRPL" => self.channel.rotated_in_plane(args, span),
-            "INVFRAME" => match args {
-                [Val::Frame(inner)] => match inner.inverse() {
-                    Some(made) => Ok(frame(made)),
-                    None => self.channel.core.refuse(span, codes::S2034::frame_cannot_be_inverted()),
-                },
-                _ => self.channel.core.refuse(span, codes::S2021::invframe_takes_frame()),
-            },
-            "AXNAME" => self.channel.axis_of_text(args, span),
-            "ISVAR" | "ISFILE" => self.is_known(name, args, span),
-            "MODAXVAL" => match args {
-                [_, value] => match value.number() {
-                    Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
-                    None => self.channel.core.refuse(span, codes::P2024::modaxval_takes_axis()),
-                },
-                _ => self.channel.core.refuse(span, codes::S2021::modaxval_takes_axis()),
-            },
-            // SET and REP
-            _ => self.channel.core.refuse(span, codes::P2024::fills_array(&name)),
-        }
-    }
-
-    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
-        let [Val::Text(text)] = args else {
-            return self.channel.core.refuse(span, codes::S2021::takes_text(&name));
-        };
-        let wanted = String::from_utf8_lossy(text).into_owned();
-        if name == "ISVAR" {
-            if wanted.trim_start().starts_with('$') {
-                return self.channel.core.refuse(span, codes::P2023::whether_control_has_is_known_on_machine(&wanted));
-            }
-            return Ok(Val::Bool(self.is_variable(&wanted)));
-        }
-        let file = self.units.list[self.unit()].file;
-        if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
-            return self.channel.core.refuse(span, codes::P0105::file_cannot_be_read(&error));
-        }
-        // Of a folder that nothing is known of, what lies beside the main program is asked for.
-        let there = self.search(|path| {
-            let folder = wanted.rsplit_once('/').map(|(folder, _)| control_path(folder));
-            let plain = || wanted.rsplit('/').next().unwrap_or(&wanted);
-            path.is_there(&wanted) || folder.is_some_and(|folder| !path.knows(&folder)) && path.is_there(plain())
-        });
-        Ok(Val::Bool(there))
-    }
-
-    /// A variable, or an element of one that exists.
-    fn is_variable(&mut self, wanted: &str) -> bool {
-        let (name, rest) = wanted.split_once('[').unwrap_or((wanted, ""));
-        let (letter, number) =
-            name.trim().split_at(usize::from(name.trim().is_char_boundary(1) && name.trim().len() > 1));
-        let number =
-            if number.is_empty() || letter.is_empty() { rest.strip_suffix(']').unwrap_or(rest) } else { number };
-        if name.trim().eq_ignore_ascii_case("R") || letter.eq_ignore_ascii_case("R") && rest.is_empty() {
-            return number.trim().parse::<u32>().is_ok_and(|n| n <= super::vars::MOST_R);
-        }
-        let symbol = self.channel.core.symbols.intern(name.trim().as_bytes());
-        let Some(slot) = self.vars.find(symbol) else { return false };
-        let Some(var) = self.vars.get(slot) else { return false };
-        let Some(rest) = rest.strip_suffix(']') else { return rest.is_empty() };
-        let indices: Option<Vec<i32>> = rest.split(',').map(|index| index.trim().parse().ok()).collect();
-        indices.is_some_and(|indices| var.offset(&indices).is_some())
-    }
 }
 
 /// A probe that only guards its move touches nothing.
@@ -121,6 +32,31 @@ fn or_untouched(mut help: Help) -> Help {
         "; if the probe only guards its move and touches nothing, set `[control] probing_contact = \"none\"`",
     );
     help.and(Answer::key("control", "probing_contact").one_of(&["\"none\""]))
+}
+
+impl SystemVariables {
+    /// `$SC_…`, `$SN_…`: setting data, which change what other words do.
+    fn write_setting(&mut self, core: &Core<'_>, word: &str, key: String, value: Val, span: Span) -> Outcome {
+        let on_the_machine = core.job.settings.variables.get(&key).copied();
+        let changes = on_the_machine.is_none() || on_the_machine != value.number();
+        match word {
+            // Read by increments and threads. Behind a new tool length no increment has a place to count from.
+            "$SC_FRAME_OFFSET_INCR_PROG" | "$SC_THREAD_START_ANGLE" | "$SC_TOOL_OFFSET_INCR_PROG" => {}
+            "$SC_DRY_RUN_FEED" | "$SC_SINGLEBLOCK2_STOPRE" => {
+                core.say_once(span, codes::S8006::is_for_trial_runs(&word));
+            }
+            _ if changes => {
+                let shown = value.number().unwrap_or(0.0);
+                return core.refuse(
+                    span,
+                    codes::S9103::is_setting_datum(&word, &key, &shown).answer(Answer::key("variables", &key)),
+                );
+            }
+            _ => {}
+        }
+        self.set(key, value);
+        Ok(())
+    }
 }
 
 impl Channel<'_> {
@@ -134,15 +70,13 @@ impl Channel<'_> {
     /// Reads `$NAME[args]`.
     pub(super) fn system_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
         let word = self.core.symbols.name(name).to_owned();
-        if !self.set_beside.is_empty() {
-            self.system_is_own(&word, &system_key(&word, args), span)?;
-        }
         let key = system_key(&word, args);
+        self.set_beside.leaves_system(&word, &key, &self.core, span)?;
         if let Some(value) = self.known_value(&word, args, span)? {
             self.says_unused(&key, &value, span);
             return Ok(value);
         }
-        if let Some(value) = self.untouched_value(&word, &key, span)? {
+        if let Some(value) = self.measured.untouched_value(&self.core, &self.st.system, &word, &key, span)? {
             self.says_unused(&key, &value, span);
             return Ok(value);
         }
@@ -155,15 +89,17 @@ impl Channel<'_> {
         }
         if let Some(value) = self.core.job.settings.variables.get(&key).copied() {
             if is_measured(&word) {
-                self.says_given(&key, value, false, span);
+                self.measured.says_given(&self.core, &key, value, false, span);
             }
             return Ok(Val::Real(value));
         }
-        let help = self.tool_is_asked(&word, args, &key).unwrap_or_else(|| {
-            let meaning = meaning_of(&word, args).unwrap_or_default();
-            let help = Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
-            if word == "$AC_MEA" && !self.never_touches() { or_untouched(help) } else { help }
-        });
+        let help =
+            tool_is_asked(&self.core.job.settings.tools, &self.st.tool, &word, args, &key).unwrap_or_else(|| {
+                let meaning = meaning_of(&word, args).unwrap_or_default();
+                let help =
+                    Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
+                if word == "$AC_MEA" && !self.core.never_touches() { or_untouched(help) } else { help }
+            });
         self.core.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
     }
 
@@ -174,16 +110,21 @@ impl Channel<'_> {
         match word.as_str() {
             "$P_PFRAME" | "$P_IFRAME" => self.write_frame(&word, args, &value, span),
             "$P_UIFR" => self.write_offset(args, &value, span),
-            _ if starts(&["$SC_", "$SN_"]) => self.write_setting(&word, system_key(&word, args), value, span),
+            _ if starts(&["$SC_", "$SN_"]) => {
+                self.st.system.write_setting(&self.core, &word, system_key(&word, args), value, span)
+            }
             _ if starts(&["$TC_", "$AC_MARKER", "$AC_PARAM", "$P_AD"]) => {
                 let unit = self.st.tool_data_unit(&word);
                 let value = match value.number() {
                     Some(number) if unit != 1.0 => Val::Real(number * unit),
                     _ => value,
                 };
-                self.core.note_tool_data(&word, span);
+                // Tool data besides the radius stay in the program.
+                if word.starts_with("$TC_") && !matches!(&word[..], "$TC_DP6" | "$TC_DP15") {
+                    self.core.report_new(codes::S8010::is_not_printed(&word).at(self.core.loc(span)));
+                }
                 let key = system_key(&word, args);
-                self.radius_is_written(&word, &key);
+                self.st.tool.is_written(&word, &key);
                 self.st.system.set(key, value);
                 Ok(())
             }
@@ -204,14 +145,14 @@ impl Channel<'_> {
         let programmable = word == "$P_PFRAME";
         let old = if programmable { Some(self.st.frames.programmable()) } else { self.st.frames.settable() };
         let frame = self.new_frame(old.cloned().unwrap_or_default(), args, value, span)?;
-        self.frame_is_free(span)?;
+        self.st.codes.frame_is_free(&self.core, span)?;
         if programmable {
             self.st.frames.set_programmable(frame);
-            self.refresh_frame();
+            self.st.refresh_frame(&self.core);
         } else {
             self.core.resolved_offset_note(span);
-            self.resolves_offsets(span)?;
-            self.counts_from(Outer::Basic, Some(frame));
+            self.st.offsets.resolve(&self.core, &mut self.st.position, span)?;
+            self.st.counts_from(&self.core, Outer::Basic, Some(frame));
         }
         Ok(())
     }
@@ -221,7 +162,7 @@ impl Channel<'_> {
         let Some((number, rest)) = self.core.offset_number(args, span)? else {
             return self.core.refuse(span, codes::S2018::number_of_work_offset_is_missing());
         };
-        let old = match self.offset_frame(number) {
+        let old = match self.st.frames.offset_of(&self.core.job.settings.datums, number) {
             Some(frame) => frame,
             None if rest.is_empty() => FrameValue::default(),
             None => {
@@ -236,29 +177,6 @@ impl Channel<'_> {
         Ok(())
     }
 
-    /// `$SC_…`, `$SN_…`: setting data, which change what other words do.
-    fn write_setting(&mut self, word: &str, key: String, value: Val, span: Span) -> Outcome {
-        let on_the_machine = self.core.job.settings.variables.get(&key).copied();
-        let changes = on_the_machine.is_none() || on_the_machine != value.number();
-        match word {
-            // Read by increments and threads. Behind a new tool length no increment has a place to count from.
-            "$SC_FRAME_OFFSET_INCR_PROG" | "$SC_THREAD_START_ANGLE" | "$SC_TOOL_OFFSET_INCR_PROG" => {}
-            "$SC_DRY_RUN_FEED" | "$SC_SINGLEBLOCK2_STOPRE" => {
-                self.core.say_once(span, codes::S8006::is_for_trial_runs(&word));
-            }
-            _ if changes => {
-                let shown = value.number().unwrap_or(0.0);
-                return self.core.refuse(
-                    span,
-                    codes::S9103::is_setting_datum(&word, &key, &shown).answer(Answer::key("variables", &key)),
-                );
-            }
-            _ => {}
-        }
-        self.st.system.set(key, value);
-        Ok(())
-    }
-
     fn new_frame(&self, mut frame: FrameValue, args: &[Val], value: &Val, span: Span) -> Outcome<FrameValue> {
         if args.is_empty() {
             return match value {
@@ -266,12 +184,12 @@ impl Channel<'_> {
                 other => self.core.refuse(span, codes::P2024::frame_is_needed(&other.what())),
             };
         }
-        self.set_frame_component(&mut frame, args, value, span)?;
+        self.core.accept(span, frame.write_component(args, value, self.st.feed_unit()))?;
         Ok(frame)
     }
 
     /// `AXNAME("X")`
-    fn axis_of_text(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
+    pub(super) fn axis_of_text(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
             return self.core.refuse(span, codes::S2021::axname_takes_text());
         };
@@ -279,96 +197,9 @@ impl Channel<'_> {
         let Some(named) = self.axis_names.find(&name) else {
             return self.core.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
         };
-        self.printed_axis(named, span)?;
+        self.axis_names.printed(&self.core, named, span)?;
         Ok(Val::Axis(named))
     }
-
-    /// `X, 10, Y, 20`
-    fn axis_pairs(&self, args: &[Val], span: Span) -> Outcome<Vec<(Axis, f64)>> {
-        let mut pairs = Vec::new();
-        for pair in args.chunks(2) {
-            let [Val::Axis(axis), value] = pair else {
-                return self.core.refuse(span, codes::S2021::axes_and_values_follow_each_other());
-            };
-            let value = self.core.as_number(value, span)?;
-            // The shift of an axis that is left out moves nothing.
-            let Some(axis) = axis.axis else { continue };
-            let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
-            pairs.push((axis, value * unit));
-        }
-        Ok(pairs)
-    }
-
-    /// `CRPL(n, angle)`: 0 the working plane, 1 about Z, 2 about Y, 3 about X.
-    fn rotated_in_plane(&self, args: &[Val], span: Span) -> Outcome<Val> {
-        let [plane, angle] = args else {
-            return self.core.refuse(span, codes::S2021::crpl_takes_plane());
-        };
-        let angle = self.core.as_number(angle, span)?;
-        let about = match plane.number().and_then(whole) {
-            Some(0) => self.st.roles()[2].index(),
-            Some(1) => 2,
-            Some(2) => 1,
-            Some(3) => 0,
-            _ => return self.core.refuse(span, codes::S2021::plane_of_crpl_is_0_to_3()),
-        };
-        let mut angles = [0.0; 3];
-        if let Some(place) = angles.get_mut(about) {
-            *place = angle;
-        }
-        Ok(frame(FrameValue::rotated(angles)))
-    }
-}
-
-impl Core<'_> {
-    /// Tool data besides the radius stay in the program.
-    fn note_tool_data(&self, word: &str, span: Span) {
-        if !word.starts_with("$TC_") || matches!(word, "$TC_DP6" | "$TC_DP15") {
-            return;
-        }
-        let found = codes::S8010::is_not_printed(&word).at(self.loc(span));
-        if !self.job.diags.knows(&found) {
-            self.report(found);
-        }
-    }
-
-    fn triple(&self, args: &[Val], neutral: f64, span: Span) -> Outcome<[f64; 3]> {
-        let mut values = [neutral; 3];
-        for pair in args.chunks(2) {
-            let [Val::Axis(axis), value] = pair else {
-                return self.refuse(span, codes::S2021::axes_values_follow_each_other());
-            };
-            let value = self.as_number(value, span)?;
-            match axis.axis.and_then(|axis| values.get_mut(axis.index())) {
-                Some(place) => *place = value,
-                None => {
-                    return self.refuse(span, codes::S2031::is_no_geometry_axis_2(&axis.text()));
-                }
-            }
-        }
-        Ok(values)
-    }
-
-    fn mirrored(&self, args: &[Val], span: Span) -> Outcome<Val> {
-        let mut mirror = [false; 3];
-        for value in args {
-            match value {
-                Val::Axis(named) if named.axis.is_none_or(crate::machine::Axis::is_main) => {
-                    if let Some(axis) = named.axis {
-                        mirror[axis.index()] = true;
-                    }
-                }
-                // A number behind the axis does not matter.
-                other if other.number().is_some() => {}
-                _ => return self.refuse(span, codes::S2021::cmirror_takes_geometry_axes()),
-            }
-        }
-        Ok(frame(FrameValue::mirrored(mirror)))
-    }
-}
-
-fn frame(value: FrameValue) -> Val {
-    Val::Frame(Rc::new(value))
 }
 
 /// `$TC_DP6[1,1]`

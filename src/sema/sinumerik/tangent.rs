@@ -7,17 +7,17 @@ use crate::geo::arc::{
     Closing, TangentArc, center_by_opening, center_by_radius, centered_between, closing, tangent_arc, tangent_at,
     through,
 };
-use crate::geo::{Plane, Point2, Vec2, length};
+use crate::geo::{Plane, Point2, SAME_POINT, Vec2, direction, length};
 use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::AxisSet;
 use crate::sema::common::position::Position;
 use crate::sema::run::Where;
 
-use super::circle::SAME;
+use super::circle::{SAME, end_in};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Outcome};
+use super::{Channel, Core, Outcome};
 
 /// The last block that travelled, as far as its direction at the end can be told here.
 #[derive(Debug, Clone, Copy, Default)]
@@ -125,6 +125,51 @@ impl Heading {
         };
         found.map_or(Heading::Later, |(center, ccw)| Heading::Arc { plane, center, ccw })
     }
+
+    /// The arc, as far as it can be told here. Alarm 14045.
+    fn arc_to(
+        &self,
+        core: &Core<'_>,
+        plane: Plane,
+        start: Point2,
+        to: Point2,
+        turns: u32,
+    ) -> Outcome<Option<TangentArc>> {
+        let tangent = match self.tangent_in(plane, start) {
+            Tangent::Known(tangent) => tangent,
+            Tangent::Later => return Ok(None),
+            Tangent::Missing(fault) => return core.refuse(Where::Block, fault),
+        };
+        match tangent_arc(start, tangent, to, SAME, 1e-9 * length(to - start)) {
+            TangentArc::Behind => core.refuse(Where::Block, codes::S3008::end_lies_straight_behind_start()),
+            TangentArc::Line if turns > 0 => core.refuse(Where::Block, codes::S3008::straight_line_has_no_turns()),
+            found => Ok(Some(found)),
+        }
+    }
+
+    /// A move from where the tool stands is sent out.
+    #[inline]
+    pub(super) fn follow(&mut self, position: &Position, end: &Pos, path: &Path) {
+        match path {
+            Path::Arc(arc, _) => *self = Heading::behind(arc, position, end),
+            _ => {
+                let at = position.at();
+                let travels = AxisSet::MAIN.iter().any(|axis| end.get(axis).is_some_and(|to| at.get(axis) != Some(to)));
+                if travels {
+                    *self = Heading::Line(*at);
+                }
+            }
+        }
+    }
+
+    /// The direction of the contour where it ends.
+    pub(super) fn direction_at(&self, plane: Plane, at: Point2) -> Option<Vec2> {
+        match *self {
+            Heading::Line(from) => from.in_plane(plane).and_then(|from| direction(at - from, SAME_POINT)),
+            Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
+            _ => None,
+        }
+    }
 }
 
 impl Channel<'_> {
@@ -132,17 +177,17 @@ impl Channel<'_> {
     pub(super) fn tangent_block(&mut self, w: &mut Words) -> Outcome {
         let plane = self.st.plane();
         let feed = self.cutting_feed(w)?;
-        let turns = self.core.turns(w)?;
-        let start = self.start_in(plane, w)?;
+        let turns = w.turns(&self.core)?;
+        let start = self.st.start_in(&self.core, plane, w)?;
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
-        let mut end = if polar { self.polar_end(w)? } else { self.targets(w)? };
-        let to = self.core.end_in(&end, plane, start);
+        let mut end = if polar { self.st.polar_end(&mut self.core, w)? } else { self.st.targets(&self.core, w)? };
+        let to = end_in(&end, plane, start);
         end.set_in_plane(plane, to);
         let tangential = Arc { plane, shape: ArcShape::Tangent, turns };
         if self.st.pair.is_open() || self.st.offsets.in_machine() {
             return self.send_arc(&end, tangential, feed, Where::Block);
         }
-        let known = self.tangential_arc(plane, start, to, turns)?;
+        let known = self.st.heading.arc_to(&self.core, plane, start, to, turns)?;
         let frame_changed = matches!(self.st.heading, Heading::Behind { .. });
         if let Heading::Behind { turned: true, .. } = self.st.heading {
             self.core.say_once(Where::Block, codes::S8042::frame_has_turned_since_block_in_front());
@@ -162,35 +207,6 @@ impl Channel<'_> {
                     self.st.heading = Heading::Arc { plane, center, ccw };
                 }
                 Ok(())
-            }
-        }
-    }
-
-    /// The arc, as far as it can be told here. Alarm 14045.
-    fn tangential_arc(&self, plane: Plane, start: Point2, to: Point2, turns: u32) -> Outcome<Option<TangentArc>> {
-        let tangent = match self.st.heading.tangent_in(plane, start) {
-            Tangent::Known(tangent) => tangent,
-            Tangent::Later => return Ok(None),
-            Tangent::Missing(fault) => return self.core.refuse(Where::Block, fault),
-        };
-        match tangent_arc(start, tangent, to, SAME, 1e-9 * length(to - start)) {
-            TangentArc::Behind => self.core.refuse(Where::Block, codes::S3008::end_lies_straight_behind_start()),
-            TangentArc::Line if turns > 0 => self.core.refuse(Where::Block, codes::S3008::straight_line_has_no_turns()),
-            found => Ok(Some(found)),
-        }
-    }
-
-    /// Notes where a block that is sent out travels.
-    #[inline]
-    pub(super) fn note_heading(&mut self, end: &Pos, path: &Path) {
-        match path {
-            Path::Arc(arc, _) => self.st.heading = Heading::behind(arc, &self.st.position, end),
-            _ => {
-                let at = self.st.position.at();
-                let travels = AxisSet::MAIN.iter().any(|axis| end.get(axis).is_some_and(|to| at.get(axis) != Some(to)));
-                if travels {
-                    self.st.heading = Heading::Line(*at);
-                }
             }
         }
     }

@@ -3,53 +3,46 @@
 //! Source: S 0, 2.12, 2.15, 4.7 (docs/sources.md).
 
 use crate::diag::{Answer, codes};
-use crate::ir::Function;
 use crate::ir::function::{Coolant, Spindle, Turn};
-use crate::machine::Axis;
-use crate::text::Span;
+use crate::ir::{Function, Side};
 
-use super::vocabulary::{Address, Indexed};
+use super::spindle::function_of;
+use super::vocabulary::Address;
 use super::words::{MWord, Words};
-use super::{Channel, Outcome, Run};
+use super::{Channel, Outcome, levels};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
 /// S words of a block (S 1.2).
 const MOST_S: usize = 3;
 
-impl Run<'_> {
-    /// What acts behind the motion.
-    pub(super) fn late_functions(&mut self, w: &Words) -> Outcome {
-        for m in &w.m {
-            if matches!(m.number, 0..=2 | 17 | 30) {
-                self.channel.tapping_ends();
-            }
-            match m.number {
-                0 | 1 => {
-                    self.channel.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
+impl Channel<'_> {
+    /// An M function that stops the program or ends it. True if it ends a program that another one called.
+    pub(super) fn late_function(&mut self, m: MWord) -> Outcome<bool> {
+        if !matches!(m.number, 0..=2 | 17 | 30) {
+            return Ok(false);
+        }
+        self.tapping_ends();
+        match m.number {
+            0 => self.function(Function::Stop),
+            1 => self.function(Function::OptionalStop),
+            _ => {
+                self.core.end_is_whole();
+                if !levels::in_main(&self.core.levels) {
+                    return Ok(true);
                 }
-                2 | 17 | 30 => {
-                    self.channel.core.end_is_whole();
-                    if self.channel.core.in_main() {
-                        if self.channel.ends_inside_contour() {
-                            return Err(super::Reported);
-                        }
-                        let done = self.channel.pending_must_be_done(m.span);
-                        self.channel.function(Function::End { rewind: m.number == 30 });
-                        self.channel.core.stop_run();
-                        done?;
-                    } else {
-                        self.leave_program();
-                    }
+                if self.capture.as_ref().is_some_and(|capture| capture.ends_program(&self.core)) {
+                    return Err(super::Reported);
                 }
-                _ => {}
+                let done = self.pending_must_be_done(m.span);
+                self.function(Function::End { rewind: m.number == 30 });
+                self.core.stop_run();
+                done?;
             }
         }
-        Ok(())
+        Ok(false)
     }
-}
 
-impl Channel<'_> {
     // F, S, T, D.
 
     pub(super) fn technology(&mut self, w: &mut Words) -> Outcome {
@@ -74,21 +67,26 @@ impl Channel<'_> {
             if w.m.iter().any(|m| m.number == 6) {
                 w.edge_of_new_tool = Some(d);
             } else {
-                self.edge(d)?;
+                self.edge_number(d.value, d.span)?;
             }
         }
         let shaped = w.get(Address::Offn).is_some() || w.get(Address::Disc).is_some();
         if shaped {
-            self.shape_words(w)?;
+            let is_on = self.st.side() != Side::None && !self.st.compensation.waits();
+            self.st.path.shape(&self.core, w, self.st.codes.length_unit(), is_on)?;
         }
         if let Some(span) = self.st.compensation.take_open(w.edge_of_new_tool.is_some()) {
-            self.select_cutter_or_end(span)?;
-        }
-        if let Some(lims) = w.take(Address::Lims) {
-            self.speed_limit(lims, !w.s.is_empty())?;
+            let selected = self.select_cutter(span);
+            if selected.is_err() {
+                // It does not come into force.
+                self.st.compensation.end(&mut self.st.codes);
+            }
+            selected?;
         }
         self.speeds(w)?;
-        self.spindle_position(w)?;
+        if let Some(angle) = self.st.spindles.position(&self.core, w)? {
+            self.stops_at_angle(angle, w, 0);
+        }
         for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr] {
             if let Some(given) = w.take(address)
                 && given.value != 0.0
@@ -102,7 +100,7 @@ impl Channel<'_> {
             return self.core.refuse(given.span, codes::P9011::orientable_tool_carriers_cannot_be_printed());
         }
         if self.st.path.is_computed() && (!w.codes.is_empty() || shaped) {
-            self.rules_change(w)?;
+            self.st.rules_change(&self.core, w)?;
         }
         if let Some(span) = w.h {
             self.core.say_once(span, codes::S8005::h_functions_are_for_machines_own_control());
@@ -118,7 +116,7 @@ impl Channel<'_> {
         if w.m.iter().any(|m| m.number == 6) {
             self.change_tool()?;
             if let Some(d) = w.edge_of_new_tool {
-                self.edge(d)?;
+                self.edge_number(d.value, d.span)?;
             }
         }
         let turning = |m: &&MWord| matches!(m.number, 3..=5);
@@ -166,20 +164,20 @@ impl Channel<'_> {
             self.st.spindles.forget_angle();
         }
         if turn.is_some() {
-            self.start_is_known(m.spindle.unwrap_or(self.st.spindles.master()), m.span)?;
+            self.st.spindles.start_is_known(&self.core, m.spindle.unwrap_or(self.st.spindles.master()), m.span)?;
         }
         match m.spindle {
             Some(n) if n != self.st.spindles.master() => {
                 self.core.spindle_number(n, m.span)?;
                 self.st.spindles.set_turn_of(n, turn);
-                self.send_spindle(n, spindle);
+                self.function(function_of(n, spindle));
             }
             _ => {
                 self.st.spindles.set_turn(turn);
                 match spindle {
                     Spindle::Orient(angle) => self.stops_at_angle(angle, w, 1),
                     Spindle::Start(_) | Spindle::Stop | Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => {
-                        self.send_spindle(self.st.spindles.master(), spindle);
+                        self.function(self.st.spindles.function(spindle));
                     }
                 }
             }
@@ -216,20 +214,6 @@ impl Channel<'_> {
                 return self.core.refuse(m.span, codes::P2007::what_m_does_is_up_to_machine(&number).help(help));
             }
         }
-        Ok(())
-    }
-
-    pub(super) fn axis_diameter(&mut self, indexed: Indexed, axis: Axis, span: Span) -> Outcome {
-        if !self.core.is_diameter_axis(axis) {
-            return self.core.no_diameter_axis(span);
-        }
-        use super::diameter::Diameter;
-        self.st.diameter = match indexed {
-            Indexed::DiameterOn => Some(Diameter::On),
-            Indexed::Diameter90 => Some(Diameter::Absolute),
-            Indexed::DiameterOff => Some(Diameter::Off),
-            _ => None,
-        };
         Ok(())
     }
 }

@@ -6,13 +6,13 @@ use crate::diag::{Answer, codes};
 use crate::ir::transformation::Surface;
 use crate::ir::{Ask, Function, Side, Transformation};
 use crate::machine::{Axis, AxisSet, MachineKind, Transmit};
-use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::diameter::Diameter;
+use super::state::State;
 use super::vocabulary::OnSurface;
-use super::{Channel, Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// The tool passes the axis of rotation.
 const AT_POLE: Ask = Ask::key("cycles", "transmit", AT_POLE_HELP).one_of(&["\"cartesian\""]);
@@ -32,73 +32,61 @@ pub(super) struct Transformed {
     as_seen: bool,
 }
 
-impl Run<'_> {
+/// A number with its place, where one is given.
+type Argument = Option<(f64, Span)>;
+
+impl Channel<'_> {
     /// `TRANSMIT`, `TRANSMIT(n)`, `TRACYL(d)`, `TRACYL(d, n, k)`
-    pub(super) fn transformation(
-        &mut self,
-        on: OnSurface,
-        formulas: &[Formula],
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let mut given = [None; 3];
-        let most = if on == OnSurface::Face { 1 } else { 3 };
-        if let Some(more) = formulas.get(most) {
-            return self.channel.core.refuse(
-                more.span,
-                codes::S2021::takes_argument(&on.word(), &most, &(if most == 1 { "" } else { "s" })),
-            );
-        }
-        for (place, formula) in given.iter_mut().zip(formulas) {
-            if !formula.is_missing() {
-                *place = Some((self.number(*formula, block, text)?, formula.span));
-            }
-        }
+    pub(super) fn transformation(&mut self, on: OnSurface, given: [Argument; 3], span: Span) -> Outcome {
         let [diameter, number, wall] = match on {
             OnSurface::Face => [None, given[0], None],
             OnSurface::Mantle => given,
         };
-        let made = self
-            .channel
-            .surface(on, diameter, number, wall, span)
-            .and_then(|surface| self.channel.transform(on, surface, span));
+        let made = surface(&self.core, self.st.length_unit(), on, diameter, number, wall, span)
+            .and_then(|surface| self.transform(on, surface, span));
         if made.is_err() {
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
+            self.st.position.lose(AxisSet::ALL);
+            self.lost();
         }
         made
     }
 }
 
-type Argument = Option<(f64, Span)>;
+fn surface(
+    core: &Core<'_>,
+    mm: f64,
+    on: OnSurface,
+    diameter: Argument,
+    number: Argument,
+    wall: Argument,
+    span: Span,
+) -> Outcome<Surface> {
+    if let Some((number, span)) = number.filter(|(number, _)| *number != 1.0) {
+        return core.refuse(span, codes::S2280::selects_transformation(&on.word(), &number));
+    }
+    if let Some((_, span)) = wall.filter(|(wall, _)| *wall != 0.0) {
+        return core.refuse(span, codes::S2280::tracyl_corrects_walls_of_groove_by_real());
+    }
+    if on == OnSurface::Face {
+        return Ok(Surface::Face);
+    }
+    let (given, at) = diameter.unwrap_or((0.0, span));
+    let diameter = given * mm;
+    if !(1e-3..1e6).contains(&diameter) {
+        return core.refuse(at, codes::S2280::working_diameter_of_tracyl(&given));
+    }
+    Ok(Surface::Mantle { diameter })
+}
+
+impl State {
+    /// Where X, Y and the rotary axis stand is said in other axes from here on.
+    fn axes_change(&mut self, rotary: Axis) {
+        self.position.forget([Axis::X, Axis::Y, rotary].into_iter().collect());
+        self.heading = super::tangent::Heading::None;
+    }
+}
 
 impl Channel<'_> {
-    fn surface(
-        &mut self,
-        on: OnSurface,
-        diameter: Argument,
-        number: Argument,
-        wall: Argument,
-        span: Span,
-    ) -> Outcome<Surface> {
-        if let Some((number, span)) = number.filter(|(number, _)| *number != 1.0) {
-            return self.core.refuse(span, codes::S2280::selects_transformation(&on.word(), &number));
-        }
-        if let Some((_, span)) = wall.filter(|(wall, _)| *wall != 0.0) {
-            return self.core.refuse(span, codes::S2280::tracyl_corrects_walls_of_groove_by_real());
-        }
-        if on == OnSurface::Face {
-            return Ok(Surface::Face);
-        }
-        let (given, at) = diameter.unwrap_or((0.0, span));
-        let diameter = given * self.st.length_unit();
-        if !(1e-3..1e6).contains(&diameter) {
-            return self.core.refuse(at, codes::S2280::working_diameter_of_tracyl(&given));
-        }
-        Ok(Surface::Mantle { diameter })
-    }
-
     fn transform(&mut self, on: OnSurface, surface: Surface, span: Span) -> Outcome {
         let (word, rotary) = (on.word(), self.core.job.settings.machine.rotary_axis);
         let as_seen = match self.core.job.settings.cycles.transmit {
@@ -116,13 +104,13 @@ impl Channel<'_> {
         self.transformation_ends(span)?;
         self.may_transform(span)?;
         if !as_seen {
-            self.has_axes_for(on, span)?;
+            has_axes_for(&self.core, &self.st, on, span)?;
         }
         let by = Transformation { surface, rotary, at_pole: &AT_POLE };
         self.st.transformation = Some(Transformed { by, as_seen });
         let frame = self.st.ctx.frame.clone();
         let seen = frame.unapply(&by.seen(&frame.apply(self.st.position.at())));
-        self.axes_change(rotary);
+        self.st.axes_change(rotary);
         if as_seen {
             self.lost();
             self.core.say_once(span, codes::S8250::face_machining_in_virtual_cartesian_axes(&word));
@@ -136,24 +124,18 @@ impl Channel<'_> {
             };
             self.core.say_once(span, codes::S8251::is_printed_with_x(&word, &letter, &zero));
         }
-        self.says_diameter(on, span);
+        says_diameter(&self.core, &self.st, on, span);
         Ok(())
     }
 
-    /// `TRAFOOF`; false where nothing is on.
-    pub(super) fn transformation_off(&mut self, span: Span) -> Outcome<bool> {
-        let on = self.st.transformation.is_some();
-        self.transformation_ends(span)?;
-        Ok(on)
-    }
-
-    fn transformation_ends(&mut self, span: Span) -> Outcome {
+    /// `TRAFOOF`
+    pub(super) fn transformation_ends(&mut self, span: Span) -> Outcome {
         let Some(on) = self.st.transformation else { return Ok(()) };
         self.may_transform(span)?;
         self.st.transformation = None;
         let frame = self.st.ctx.frame.clone();
         let left = frame.unapply(&on.by.left(&frame.apply(self.st.position.at())));
-        self.axes_change(on.by.rotary);
+        self.st.axes_change(on.by.rotary);
         if on.as_seen {
             self.lost();
         } else {
@@ -161,12 +143,6 @@ impl Channel<'_> {
             self.function(Function::Transformation(None));
         }
         Ok(())
-    }
-
-    /// Where X, Y and the rotary axis stand is said in other axes from here on.
-    fn axes_change(&mut self, rotary: Axis) {
-        self.st.position.forget([Axis::X, Axis::Y, rotary].into_iter().collect());
-        self.st.heading = super::tangent::Heading::None;
     }
 
     /// What may not be on where axes change.
@@ -185,38 +161,37 @@ impl Channel<'_> {
         }
         Ok(())
     }
+}
 
-    /// Is the machine one whose X and rotary axis make the surface?
-    fn has_axes_for(&mut self, on: OnSurface, span: Span) -> Outcome {
-        let machine = &self.core.job.settings.machine;
-        if on == OnSurface::Mantle && machine.kind != MachineKind::Lathe {
-            return self.core.refuse(
-                span,
-                codes::S2280::which_axes_tracyl_uses_on_milling_machine().answer(Answer::key("machine", "kind")),
-            );
-        }
-        let y = self.st.ctx.frame.apply(self.st.position.at()).get(Axis::Y).filter(|y| y.abs() > 1e-6);
-        if let Some(y) = y.filter(|_| self.st.transformation.is_none()) {
-            return self.core.refuse(span, codes::S2281::y_axis_stands_at_where_x(&y));
-        }
-        Ok(())
+/// Is the machine one whose X and rotary axis make the surface?
+fn has_axes_for(core: &Core<'_>, st: &State, on: OnSurface, span: Span) -> Outcome {
+    let machine = &core.job.settings.machine;
+    if on == OnSurface::Mantle && machine.kind != MachineKind::Lathe {
+        return core.refuse(
+            span,
+            codes::S2280::which_axes_tracyl_uses_on_milling_machine().answer(Answer::key("machine", "kind")),
+        );
     }
+    let y = st.ctx.frame.apply(st.position.at()).get(Axis::Y).filter(|y| y.abs() > 1e-6);
+    if let Some(y) = y.filter(|_| st.transformation.is_none()) {
+        return core.refuse(span, codes::S2281::y_axis_stands_at_where_x(&y));
+    }
+    Ok(())
+}
 
-    /// X of a face under DIAMON.
-    fn says_diameter(&self, on: OnSurface, span: Span) {
-        let counts =
-            self.core.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
-        if on == OnSurface::Face && counts && self.core.job.diags.first_time(codes::S8252, ()) {
-            let found = codes::S8252::diameter_programming_is_on_at_transmit().at(self.core.loc(span));
-            self.core.report(found.help("program DIAMOF after TRANSMIT if X and Y of the face count alike"));
-        }
+/// X of a face under DIAMON.
+fn says_diameter(core: &Core<'_>, st: &State, on: OnSurface, span: Span) {
+    let counts = core.job.settings.machine.diameter_axis == Some(Axis::X) && st.diameter_mode() != Diameter::Off;
+    if on == OnSurface::Face && counts && core.job.diags.first_time(codes::S8252, ()) {
+        let found = codes::S8252::diameter_programming_is_on_at_transmit().at(core.loc(span));
+        core.report(found.help("program DIAMOF after TRANSMIT if X and Y of the face count alike"));
     }
+}
 
-    /// Alarm 61020: a turning cycle where the program sees a face or mantle.
-    pub(super) fn no_turning_cycle_here(&self, name: &str, place: Where) -> Outcome {
-        if self.st.transformation.is_none() || !TURNING.contains(&name) {
-            return Ok(());
-        }
-        self.core.refuse(place, codes::S2282::is_not_possible_while_transmit_or_tracyl(&name))
+/// Alarm 61020: a turning cycle where the program sees a face or mantle.
+pub(super) fn no_turning_cycle_here(core: &Core<'_>, st: &State, name: &str, place: Where) -> Outcome {
+    if st.transformation.is_none() || !TURNING.contains(&name) {
+        return Ok(());
     }
+    core.refuse(place, codes::S2282::is_not_possible_while_transmit_or_tracyl(&name))
 }

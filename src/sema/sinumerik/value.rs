@@ -4,6 +4,7 @@
 
 use std::rc::Rc;
 
+use crate::diag::{Fault, codes};
 use crate::parser::sinumerik::ast::TypeName;
 pub(super) use crate::sema::value::whole;
 
@@ -17,6 +18,9 @@ const EQUAL: f64 = 1e-12;
 
 /// Whole numbers, truth and texts are types of their own.
 pub(super) const RULES: Rules = Rules { equal: EQUAL, typed: true, ..Rules::USUAL };
+
+/// Highest R parameter.
+pub(super) const MOST_R: u32 = 32_534;
 
 /// Longest text of a variable.
 pub(super) const MOST_TEXT: usize = 400;
@@ -65,6 +69,36 @@ impl Val {
         };
         Ok(converted)
     }
+
+    /// The number that is needed.
+    pub(super) fn as_number(&self) -> Result<f64, Fault> {
+        match self.number() {
+            Some(v) if v.is_finite() => Ok(v),
+            Some(_) => Err(codes::P2022::value_is_infinite()),
+            None => Err(codes::P2024::number_is_needed(&self.what())),
+        }
+    }
+
+    fn as_index(&self) -> Result<i32, Fault> {
+        let fault = || codes::S2018::index_is_whole_number_this_is(&self.what());
+        self.number().and_then(whole).ok_or_else(fault)
+    }
+}
+
+/// Indices of an array, as whole numbers.
+pub(super) fn indices(args: &[Val]) -> Result<Vec<i32>, Fault> {
+    args.iter().map(Val::as_index).collect()
+}
+
+/// The number of an R parameter.
+pub(super) fn r_index(args: &[Val]) -> Result<u32, Fault> {
+    let [index] = args else {
+        indices(args)?;
+        return Err(codes::S2018::r_parameter_has_one_index());
+    };
+    let index = index.as_index()?;
+    let number = u32::try_from(index).ok().filter(|n| *n <= MOST_R);
+    number.ok_or_else(|| codes::S2018::there_is_no_parameter_r(&index))
 }
 
 /// Why a value does not become one of another type.

@@ -6,14 +6,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::parser::sinumerik::ast::TypeName;
-use crate::parser::symbols::Symbol;
+use crate::parser::sinumerik::ast::{Base, Target, TypeName};
+use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::Loc;
 
-use super::value::Val;
+use super::value::{MOST_R, Val};
 
-/// Highest R parameter.
-pub(super) const MOST_R: u32 = 32_534;
 /// Most elements of an array.
 pub(super) const MOST_ELEMENTS: u32 = 32_767;
 /// Elements of all variables together.
@@ -91,6 +89,17 @@ pub(super) struct Vars {
     values: usize,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_visible: bool,
+    pub said: Said,
+}
+
+/// What was said of variables that the program reads before it gives them a value.
+#[derive(Debug, Default, Clone)]
+pub(super) struct Said {
+    pub r: FxHashSet<u32>,
+    /// Elements of global variables.
+    pub kept: FxHashSet<(Symbol, usize)>,
+    /// Variables without a value that the formula at hand has read.
+    pub unset: Vec<String>,
 }
 
 /// Where a variable stands.
@@ -251,6 +260,27 @@ impl Vars {
     pub fn bind(&mut self, name: Symbol, slot: Slot) {
         if let (Slot::Local(id), Some(scope)) = (slot, self.scopes.last_mut()) {
             scope.names.insert(name, id);
+        }
+    }
+
+    /// Everything as it was, except that what was said is not said again.
+    pub fn restore(&mut self, before: Vars) {
+        let said = std::mem::take(&mut self.said);
+        *self = Vars { said, ..before };
+    }
+
+    /// The variable whose name is one letter.
+    pub fn letter(&self, letter: u8, symbols: &Symbols) -> Option<Slot> {
+        let name = [letter];
+        self.find(symbols.find(std::str::from_utf8(&name).ok()?)?)
+    }
+
+    /// The variable that `target` names, if it is not an R parameter.
+    pub fn target(&self, target: Target, symbols: &Symbols) -> Option<Slot> {
+        match target {
+            Target::Numbered(b'R', ..) | Target::System(_) | Target::Indexed(Base::System(_), _) => None,
+            Target::Numbered(_, _, name) | Target::Name(name) | Target::Indexed(Base::Name(name), _) => self.find(name),
+            Target::Letter(letter) | Target::Indexed(Base::Letter(letter), _) => self.letter(letter, symbols),
         }
     }
 

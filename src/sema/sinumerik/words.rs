@@ -1,21 +1,21 @@
-//! Sorts the words of a block by what they mean. Assignments are carried out on the way.
+//! The words of a block, sorted by what they mean.
 //!
 //! Source: S 1.2 and 1.3 (docs/sources.md).
 
-use crate::diag::{Label, codes};
+use crate::diag::{Fault, Label, codes};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
-use crate::parser::sinumerik::ast::{Args, Block, Formula, Op, Target, Value, Word};
+use crate::parser::sinumerik::ast::{Args, Value, Word};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
 use super::foreign_codes::in_place_of;
-use super::g_groups::{GCode, Group};
+use super::g_groups::{GCode, GCodes, Group};
 use super::probe_state::ProbeWord;
-use super::value::Val;
+use super::value::whole;
 use super::vocabulary::{ADDRESSES, Address, Indexed, Meaning};
-use super::{Core, Outcome, Run};
+use super::{Core, Outcome};
 
 /// How a value is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,7 +45,7 @@ impl Mode {
         matches!(self, Mode::PerMinute | Mode::PerTurn)
     }
 
-    fn of(name: &str) -> Option<Mode> {
+    pub fn of(name: &str) -> Option<Mode> {
         Some(match name {
             "AC" => Mode::Ac,
             "IC" => Mode::Ic,
@@ -270,9 +270,54 @@ impl Words {
         self.codes.iter().copied().find(|(code, _)| code.group == group)
     }
 
+    /// Notes that a word stands in the block, and whether it is an assignment.
+    #[inline]
+    pub fn note(&mut self, assigned: bool, span: Span) {
+        let seen = if assigned { &mut self.assigned } else { &mut self.other };
+        seen.get_or_insert(span);
+    }
+
+    /// An assignment beside other words.
+    pub fn mixed_assignment(&self) -> Option<Span> {
+        self.assigned.filter(|_| self.other.is_some())
+    }
+
     /// Nothing but assignments and comments.
     pub fn is_empty(&self) -> bool {
         self.other.is_none()
+    }
+
+    /// Words beside a call.
+    pub fn has_other(&self) -> bool {
+        !self.axes.is_empty()
+            || !self.codes.is_empty()
+            || !self.m.is_empty()
+            || !self.s.is_empty()
+            || self.has_addresses()
+            || self.h.is_some()
+            || self.axis_word_left().is_some()
+            || self.diameter.is_some()
+            || self.probe.is_some()
+    }
+
+    /// What no part of the block has taken belongs to another block.
+    pub fn leftover(&self) -> Result<(), (Span, Fault)> {
+        if let Some(left) = self.left() {
+            return Err((left.span, self.misfit_of_motion()));
+        }
+        if let Some(axis) = self.beside.machine.first() {
+            return Err((axis.span, axis.unnamed()));
+        }
+        match self.calls.passes {
+            Some(passes) => Err((passes.span, misfit())),
+            None => Ok(()),
+        }
+    }
+
+    /// The same of a word that the motion does not take.
+    pub fn misfit_of_motion(&self) -> Fault {
+        let alarm = if self.code_of(Group::Motion).is_some() { 12110 } else { 15460 };
+        codes::P1003::word_does_not_fit_other_words().alarm(alarm)
     }
 }
 
@@ -280,164 +325,6 @@ impl Words {
 fn takes_modifiers(address: Address) -> bool {
     use Address::{Ap, Discl, Disrp, I, I1, J, J1, K, K1, Rp, Spos, Sposa};
     matches!(address, I | J | K | I1 | J1 | K1 | Ap | Rp | Spos | Sposa | Discl | Disrp)
-}
-
-impl Run<'_> {
-    /// Sorts the words of `block`.
-    pub(super) fn sort_words(&mut self, words: &mut Words, block: &Block, text: &[u8]) -> Outcome {
-        for word in &block.words {
-            let assigned = self.sort_word(words, word, block, text)?;
-            let seen = if assigned { &mut words.assigned } else { &mut words.other };
-            seen.get_or_insert(word.span);
-        }
-        if let (Some(assigned), Some(_)) = (words.assigned, words.other) {
-            return self.channel.core.refuse(assigned, codes::S2014::assignment_stands_beside_other_words());
-        }
-        Ok(())
-    }
-
-    /// True for an assignment.
-    #[inline]
-    fn sort_word(&mut self, words: &mut Words, word: &Word, block: &Block, text: &[u8]) -> Outcome<bool> {
-        match word.target {
-            Target::Letter(letter) => {
-                if matches!(word.value, Value::Formula(_)) && self.letter_variable(letter).is_some() {
-                    self.assign_word(word, block, text)?;
-                    return Ok(true);
-                }
-                self.letter_word(words, letter, word, block, text).map(|()| false)
-            }
-            Target::Numbered(letter, number, name) => {
-                self.numbered_word(words, letter, number, name, word, block, text)
-            }
-            Target::Name(name) => self.name_word(words, name, word, block, text),
-            Target::System(_) => {
-                self.assign_word(word, block, text)?;
-                Ok(true)
-            }
-            Target::Indexed(base, args) => self.indexed_word(words, base, args, word, block, text),
-        }
-    }
-
-    /// A variable whose name is one letter.
-    pub(super) fn letter_variable(&self, letter: u8) -> Option<super::vars::Slot> {
-        let name = [letter];
-        let name = std::str::from_utf8(&name).ok()?;
-        self.vars.find(self.channel.core.symbols.find(name)?)
-    }
-
-    #[inline]
-    fn letter_word(&mut self, words: &mut Words, letter: u8, word: &Word, block: &Block, text: &[u8]) -> Outcome {
-        if letter == b'T'
-            && let Value::Formula(formula) = word.value
-        {
-            return self.tool_word(words, formula, word.span, block, text);
-        }
-        let given = self.given(word, block, text)?;
-        if given.mode != Mode::Plain && b"GSPHL".contains(&letter) {
-            self.channel.core.no_modifier(given)?;
-        }
-        if letter == b'R' {
-            return self.channel.core.refuse(word.span, codes::S2016::address_r_has_no_meaning());
-        }
-        if let Some(named) = self.channel.axis_names.letter(letter) {
-            return self.channel.axis_word(words, named, given);
-        }
-        match letter {
-            b'G' => self.g_word(words, given),
-            b'M' => words.add_m(&self.channel.core, None, given),
-            b'F' => words.set_address(&self.channel.core, Address::F, given),
-            b'S' if words.s.iter().any(|s| s.spindle.is_none()) => {
-                self.channel.core.refuse(given.span, codes::P1002::s_stands_twice_in_block())
-            }
-            b'S' => {
-                words.s.push(SWord { spindle: None, value: given.value, span: given.span });
-                Ok(())
-            }
-            b'T' => words.set_address(&self.channel.core, Address::T, given),
-            b'D' => words.set_address(&self.channel.core, Address::D, given),
-            b'I' => words.set_address(&self.channel.core, Address::I, given),
-            b'J' => words.set_address(&self.channel.core, Address::J, given),
-            b'K' => words.set_address(&self.channel.core, Address::K, given),
-            b'H' => {
-                words.h = Some(given.span);
-                Ok(())
-            }
-            b'P' if words.calls.passes.is_some() => {
-                self.channel.core.refuse(given.span, codes::P1002::p_stands_twice_in_block())
-            }
-            b'P' => {
-                words.calls.passes = Some(given);
-                Ok(())
-            }
-            b'L' => words.set_subprogram(&self.channel.core, word, given),
-            _ => {
-                let help = match letter {
-                    b'E' => "an exponent is written EX: 1EX5 for 1e5; axes are X Y Z A B C U V W",
-                    _ => "check the letter; axes are X Y Z A B C U V W",
-                };
-                self.channel.core.refuse(word.span, codes::S2016::address_is_not_known(&(letter as char)).help(help))
-            }
-        }
-    }
-
-    fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
-        match self.gcodes.get(given.value) {
-            Some(code) => words.add_code(&self.channel.core, code, given.span),
-            None => self
-                .channel
-                .core
-                .refuse(given.span, codes::S2010::g_is_not_known(&given.value).help(in_place_of(given.value))),
-        }
-    }
-
-    pub(super) fn tool_word(
-        &mut self,
-        words: &mut Words,
-        formula: Formula,
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        match self.eval(formula, block, text)? {
-            Val::Text(name) => {
-                words.tool_name = Some(String::from_utf8_lossy(&name).into_owned());
-                words.set_address(&self.channel.core, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
-            }
-            value => {
-                let value = self.channel.core.as_number(&value, formula.span)?;
-                words.set_address(&self.channel.core, Address::T, Given { value, mode: Mode::Plain, span })
-            }
-        }
-    }
-
-    /// The number behind a word, with its modifier.
-    #[inline]
-    pub(super) fn given(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome<Given> {
-        match word.value {
-            Value::Literal { value, .. } if value.is_finite() => {
-                Ok(Given { value, mode: Mode::Plain, span: word.span })
-            }
-            Value::Literal { .. } => self.channel.core.refuse(word.span, codes::S2029::number_is_too_large()),
-            Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
-            Value::None | Value::Call(_) => self.channel.core.refuse(word.span, codes::P1001::word_has_no_value()),
-        }
-    }
-
-    pub(super) fn given_formula(&mut self, formula: Formula, span: Span, block: &Block, text: &[u8]) -> Outcome<Given> {
-        if let [.., Op::Call(name, count, _)] = block.formula(formula)
-            && let Some(mode) = Mode::of(self.channel.core.symbols.name(*name))
-        {
-            if *count != 1 {
-                return self.channel.core.refuse(formula.span, codes::S2021::modifier_takes_one_value());
-            }
-            let inner = Formula { to: formula.to - 1, ..formula };
-            let value = self.number(inner, block, text)?;
-            return Ok(Given { value, mode, span });
-        }
-        let value = self.number(formula, block, text)?;
-        Ok(Given { value, mode: Mode::Plain, span })
-    }
 }
 
 impl Words {
@@ -453,12 +340,109 @@ impl Words {
         Ok(())
     }
 
+    /// The word of a letter that names no axis.
+    #[inline]
+    pub fn set_letter(&mut self, core: &Core<'_>, gcodes: &GCodes, letter: u8, word: &Word, given: Given) -> Outcome {
+        let address = match letter {
+            b'G' => {
+                return match gcodes.get(given.value) {
+                    Some(code) => self.add_code(core, code, given.span),
+                    None => {
+                        let help = in_place_of(given.value);
+                        core.refuse(given.span, codes::S2010::g_is_not_known(&given.value).help(help))
+                    }
+                };
+            }
+            b'M' => return self.add_m(core, None, given),
+            b'F' => Address::F,
+            b'S' if self.s.iter().any(|s| s.spindle.is_none()) => {
+                return core.refuse(given.span, codes::P1002::s_stands_twice_in_block());
+            }
+            b'S' => {
+                self.s.push(SWord { spindle: None, value: given.value, span: given.span });
+                return Ok(());
+            }
+            b'T' => Address::T,
+            b'D' => Address::D,
+            b'I' => Address::I,
+            b'J' => Address::J,
+            b'K' => Address::K,
+            b'H' => {
+                self.h = Some(given.span);
+                return Ok(());
+            }
+            b'P' if self.calls.passes.is_some() => {
+                return core.refuse(given.span, codes::P1002::p_stands_twice_in_block());
+            }
+            b'P' => {
+                self.calls.passes = Some(given);
+                return Ok(());
+            }
+            b'L' => return self.set_subprogram(core, word, given),
+            _ => {
+                let help = match letter {
+                    b'E' => "an exponent is written EX: 1EX5 for 1e5; axes are X Y Z A B C U V W",
+                    _ => "check the letter; axes are X Y Z A B C U V W",
+                };
+                let fault = codes::S2016::address_is_not_known(&(letter as char)).help(help);
+                return core.refuse(word.span, fault);
+            }
+        };
+        self.set_address(core, address, given)
+    }
+
+    /// `S2=`, `M1=`, `H3=`, `X1=`
+    pub fn set_numbered(&mut self, core: &Core<'_>, letter: u8, number: u32, given: Given) -> Outcome {
+        let spindle = u8::try_from(number).ok();
+        match letter {
+            b'S' => return self.add_s(core, spindle, given),
+            b'M' => return self.add_m(core, spindle, given),
+            b'H' => self.h = Some(given.span),
+            _ => self.beside.machine.push(MachineAxis { letter, number, span: given.span }),
+        }
+        Ok(())
+    }
+
+    /// `S[2]=`, `M[1]=`, `H[1]=`, `G[8]=`
+    pub fn set_indexed(&mut self, core: &Core<'_>, letter: u8, index: i32, given: Given) -> Outcome {
+        let spindle = u8::try_from(index).ok();
+        match letter {
+            b'S' => return self.add_s(core, spindle, given),
+            b'M' => return self.add_m(core, spindle, given),
+            b'H' => {
+                self.h = Some(given.span);
+                return Ok(());
+            }
+            _ => {}
+        }
+        let known = u8::try_from(index).ok().and_then(Group::of).filter(|group| group.takes_index());
+        let Some(known) = known else {
+            return core.refuse(given.span, codes::S2010::g_group_cannot_be_set_by_index(&index));
+        };
+        let size = known.size();
+        match whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n)) {
+            Some(code) => self.add_code(core, GCode::new(known, code), given.span),
+            None => core.refuse(given.span, codes::S2011::g_group_has_indices_1(&index, &size, &given.value)),
+        }
+    }
+
+    /// OVR, ADIS, CTOL and the like.
+    pub fn set_dynamics(&mut self, name: &str, value: Option<f64>, span: Span) -> Result<(), Fault> {
+        match name {
+            "OVR" if value != Some(100.0) => return Err(codes::S9009::ovr_changes_every_feed_by_factor()),
+            "ADIS" => self.smoothing.distance = value,
+            "CTOL" => self.smoothing.tolerance = value,
+            _ => drop(self.dynamics.get_or_insert(span)),
+        }
+        Ok(())
+    }
+
     pub fn set_axis(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome {
         if self.axes.contains(axis) {
             return core.refuse(given.span, codes::P1002::axis_stands_twice_in_block(&axis.letter()));
         }
         if given.mode.is_feed() {
-            return core.misplaced_modifier(given.span);
+            return core.refuse(given.span, misplaced_modifier());
         }
         self.axes.insert(axis);
         self.axis_words[axis.index()] = given;
@@ -468,7 +452,7 @@ impl Words {
     pub fn set_address(&mut self, core: &Core<'_>, address: Address, given: Given) -> Outcome {
         let fits = if given.mode.is_feed() { address == Address::Fad } else { takes_modifiers(address) };
         if given.mode != Mode::Plain && !fits {
-            core.no_modifier(given)?;
+            core.accept(given.span, given.no_modifier())?;
         }
         if self.given & 1 << address as u64 != 0 {
             return core.refuse(given.span, codes::P1002::address_stands_twice_in_block());
@@ -497,8 +481,14 @@ impl Words {
         Ok(())
     }
 
+    fn add_s(&mut self, core: &Core<'_>, spindle: Option<u8>, given: Given) -> Outcome {
+        core.accept(given.span, given.no_modifier())?;
+        self.s.push(SWord { spindle, value: given.value, span: given.span });
+        Ok(())
+    }
+
     pub fn add_m(&mut self, core: &Core<'_>, spindle: Option<u8>, given: Given) -> Outcome {
-        core.no_modifier(given)?;
+        core.accept(given.span, given.no_modifier())?;
         if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
             return core.refuse(given.span, codes::P2007::m_is_no_m_function(&given.value));
         }
@@ -512,14 +502,25 @@ impl Words {
     }
 }
 
-impl Core<'_> {
+impl Given {
     /// AC, IC and their kin stand where a place is meant.
-    pub(super) fn no_modifier(&self, given: Given) -> Outcome {
-        if matches!(given.mode, Mode::Plain | Mode::Quick) { Ok(()) } else { self.misplaced_modifier(given.span) }
+    #[inline]
+    pub fn no_modifier(self) -> Result<(), Fault> {
+        if matches!(self.mode, Mode::Plain | Mode::Quick) { Ok(()) } else { Err(misplaced_modifier()) }
     }
+}
 
-    #[cold]
-    pub(super) fn misplaced_modifier(&self, span: Span) -> Outcome {
-        self.refuse(span, codes::P1003::this_address_takes_no_such_modifier())
-    }
+#[cold]
+pub(super) fn misplaced_modifier() -> Fault {
+    codes::P1003::this_address_takes_no_such_modifier()
+}
+
+/// A word that does not fit the other words of its block. The control tells a code that is written from one that is modal.
+pub(super) fn misfit() -> Fault {
+    codes::P1003::word_does_not_fit_other_words().alarm(12110)
+}
+
+/// A call needs a block of its own.
+pub(super) fn call_not_alone() -> Fault {
+    codes::S2013::call_stands_beside_other_words()
 }

@@ -11,19 +11,22 @@ mod material;
 mod rebuild;
 mod solve;
 
-use crate::diag::{Answer, Help, Label, codes};
+use crate::diag::{Answer, Diagnostic, Help, Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
 use crate::machine::AxisSet;
+use crate::machine::undercut::Undercuts;
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
 use crate::text::Loc;
 
+use crate::sema::common::position::Position;
 use crate::sema::run::Where;
 
 use super::diameter::Diameter;
+use super::state::State;
 use super::tangent::Heading;
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 use compare::compare;
 use difference::Told;
 use generate::{MOST_RECORDS, outline, solve};
@@ -72,26 +75,47 @@ impl Stored {
         };
     }
 
+    /// Something that cannot stand behind the records of a contour that has no end.
+    pub(super) fn must_be_done(open: &mut Option<Box<Stored>>, core: &Core<'_>, position: &mut Position) -> Outcome {
+        open.take_if(|stored| stored.has_elements()).map_or(Ok(()), |stored| stored.has_no_end(core, position))
+    }
+
+    /// The last line never came: without blocks the elements would be left out.
+    fn has_no_end(&self, core: &Core<'_>, position: &mut Position) -> Outcome {
+        if !self.has_elements() {
+            return Ok(());
+        }
+        let what = "the contour definition has no line with its end (`;#End contour definition end`)";
+        if !self.blocks.is_empty() {
+            core.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(self.begin));
+            return Ok(());
+        }
+        position.lose(AxisSet::MAIN);
+        core.report(codes::S9019::contour_has_no_blocks_and_its_records(&what).at(self.begin));
+        Err(Reported)
+    }
+
     fn has_elements(&self) -> bool {
         self.records.iter().any(|record| matches!(record, Record::Line(..) | Record::Arc { .. } | Record::Unknown(_)))
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A comment line: perhaps a record. `text` is without its semicolon.
     pub(super) fn stored_record(&mut self, text: &[u8]) -> Outcome {
-        if self.channel.st.stored.is_none() && !text.starts_with(b"#") {
+        if self.st.stored.is_none() && !text.starts_with(b"#") {
             return Ok(());
         }
         let line = [b";", text].concat();
         let record = read(&line).or_else(|| {
-            let spoiled = self.channel.st.stored.is_some() && is_spoiled(text);
+            let spoiled = self.st.stored.is_some() && is_spoiled(text);
             spoiled.then(|| Record::Unknown(String::from_utf8_lossy(text).trim().to_owned()))
         });
         match record {
             Some(Record::Begin) => {
-                let result = self.channel.stored_without_end();
-                self.channel.st.stored = Some(Box::new(Stored {
+                let (core, position) = (&self.core, &mut self.st.position);
+                let result = self.st.stored.take().map_or(Ok(()), |stored| stored.has_no_end(core, position));
+                self.st.stored = Some(Box::new(Stored {
                     start: None,
                     blocks: Vec::new(),
                     places: Vec::new(),
@@ -99,23 +123,21 @@ impl Run<'_> {
                     rapid: None,
                     records: Vec::new(),
                     record_places: Vec::new(),
-                    begin: self.channel.core.here.origin.loc,
+                    begin: self.core.here.origin.loc,
                     written: Written { diameter: false, unit: 1.0 },
                     diameter_said: false,
                 }));
                 result
             }
-            Some(Record::End) => match self.channel.st.stored.take() {
+            Some(Record::End) => match self.st.stored.take() {
                 Some(stored) => self.check_stored(&stored),
                 None => Ok(()),
             },
             Some(record) => {
                 // One more than can be solved is enough to know that there are too many.
-                if let Some(stored) =
-                    self.channel.st.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS)
-                {
+                if let Some(stored) = self.st.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS) {
                     stored.records.push(record);
-                    stored.record_places.push(self.channel.core.here.origin.loc);
+                    stored.record_places.push(self.core.here.origin.loc);
                 }
                 Ok(())
             }
@@ -125,11 +147,11 @@ impl Run<'_> {
 
     fn check_stored(&mut self, stored: &Stored) -> Outcome {
         // Blocks that were refused are not there to be compared.
-        if self.channel.core.errors() > 0 {
+        if self.core.errors() > 0 {
             return Ok(());
         }
-        let written = if stored.start.is_some() { stored.written } else { self.channel.written_now() };
-        let [first, second, _] = self.channel.st.roles();
+        let written = if stored.start.is_some() { stored.written } else { self.st.written_now(&self.core) };
+        let [first, second, _] = self.st.roles();
         let here = (first.letter() as u8, second.letter() as u8);
         let named = stored.records.iter().find_map(|record| match record {
             Record::Header { axes, .. } => *axes,
@@ -138,75 +160,56 @@ impl Run<'_> {
         let other_plane = named.is_some_and(|axes| axes != here);
         if other_plane && stored.start.is_none() {
             return self
-                .channel
                 .core
                 .refuse(Where::Block, codes::S9019::contour_has_no_blocks_and_its_records_are_for_another());
         }
         if other_plane {
-            self.channel.core.report(codes::S8027::records_of_this_contour_are_for_another().at(stored.begin));
+            self.core.report(codes::S8027::records_of_this_contour_are_for_another().at(stored.begin));
             return Ok(());
         }
         if stored.start.is_none() {
             self.can_be_rebuilt(stored)?;
-            return match outline(&stored.records, written, &self.channel.core.job.settings.undercut) {
-                Ok(made) => self.channel.rebuild(&made, stored, written.unit),
-                Err(why) => self.channel.core.no_contour(&why, stored),
+            return match outline(&stored.records, written, &self.core.job.settings.undercut) {
+                Ok(made) => self.rebuild(&made, stored, written.unit),
+                Err(why) => {
+                    let (place, what, help) = stored.unsolved(&why, &self.core.job.settings.undercut);
+                    self.core.report(codes::S9019::contour_has_no_blocks(&what).at(place).help(help));
+                    Err(Reported)
+                }
             };
         }
-        self.channel.core.check_blocks(stored, written, here);
+        for found in stored.faults_of_blocks(written, here, &self.core.job.settings.undercut) {
+            self.core.report(found);
+        }
         Ok(())
     }
 }
 
-impl Channel<'_> {
-    /// A stored contour whose last line never came: without blocks its elements would be left out.
-    fn stored_without_end(&mut self) -> Outcome {
-        let Some(stored) = self.st.stored.take() else { return Ok(()) };
-        if !stored.has_elements() {
-            return Ok(());
-        }
-        let what = "the contour definition has no line with its end (`;#End contour definition end`)";
-        if !stored.blocks.is_empty() {
-            self.core.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(stored.begin));
-            return Ok(());
-        }
-        self.st.position.lose(AxisSet::MAIN);
-        self.core.report(codes::S9019::contour_has_no_blocks_and_its_records(&what).at(stored.begin));
-        Err(Reported)
-    }
-
-    /// Something that cannot stand behind the records of a stored contour that has no end.
-    pub(super) fn stored_must_be_done(&mut self) -> Outcome {
-        if self.st.stored.as_ref().is_some_and(|stored| stored.has_elements()) {
-            return self.stored_without_end();
-        }
-        Ok(())
-    }
-
+impl State {
     /// A block of a stored contour begins.
-    pub(super) fn note_stored_block(&mut self) {
-        let written = self.written_now();
-        if let Some(stored) = self.st.stored.as_mut().filter(|stored| stored.start.is_none()) {
+    pub(super) fn stored_block_begins(&mut self, core: &Core<'_>) {
+        let written = self.written_now(core);
+        if let Some(stored) = self.stored.as_mut().filter(|stored| stored.start.is_none()) {
             stored.written = written;
         }
     }
 
     /// How the numbers of records count here: ordinates as those of blocks.
-    fn written_now(&self) -> Written {
-        let [_, second, _] = self.st.roles();
-        let diameter = self.core.is_diameter_axis(second) && self.st.diameter_mode() != Diameter::Off;
-        Written { diameter, unit: self.st.length_unit() }
+    fn written_now(&self, core: &Core<'_>) -> Written {
+        let [_, second, _] = self.roles();
+        let diameter = core.is_diameter_axis(second) && self.diameter_mode() != Diameter::Off;
+        Written { diameter, unit: self.length_unit() }
     }
 
     /// Notes a move of a stored contour.
-    pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
-        let plane = self.st.plane();
-        let mut all = *self.st.position.at();
+    pub(super) fn note_stored(&mut self, core: &Core<'_>, end: &Pos, path: &Path) {
+        let plane = self.plane();
+        let mut all = *self.position.at();
         all.update(end);
         // Blocks stand in front of the records.
-        let _ = self.stored_must_be_done();
+        let _ = Stored::must_be_done(&mut self.stored, core, &mut self.position);
         let (arc, radius) = match path {
-            Path::Arc(arc, _) => match (Heading::behind(arc, &self.st.position, &all), arc.shape) {
+            Path::Arc(arc, _) => match (Heading::behind(arc, &self.position, &all), arc.shape) {
                 (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
                 (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
                     (Some((center, ccw)), Some(radius))
@@ -216,7 +219,7 @@ impl Channel<'_> {
             },
             _ => (None, None),
         };
-        let Some(stored) = self.st.stored.as_mut() else { return };
+        let Some(stored) = self.stored.as_mut() else { return };
         let programmed = stored.centre.take();
         let arc = arc.map(|(center, ccw)| (programmed.unwrap_or(center), ccw));
         let Some(to) = all.in_plane(plane) else { return };
@@ -231,51 +234,48 @@ impl Channel<'_> {
             stored.rapid = Some(stored.blocks.len());
         }
         stored.blocks.push(ContourBlock { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
-        stored.places.push(self.core.here.origin.loc);
+        stored.places.push(core.here.origin.loc);
     }
 }
 
-impl Core<'_> {
+impl Stored {
     /// Compares the blocks of a contour with what its records say.
-    fn check_blocks(&self, stored: &Stored, written: Written, axes: (u8, u8)) {
-        let made = match solve(&stored.records, written, &self.job.settings.undercut) {
+    fn faults_of_blocks(&self, written: Written, axes: (u8, u8), undercut: &Undercuts) -> Vec<Diagnostic> {
+        let made = match solve(&self.records, written, undercut) {
             Ok(made) => made,
-            Err(why) => {
-                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, written) {
-                    self.unchecked(&why, stored);
-                }
-                return;
-            }
+            Err(Unsolved::Unknown(_)) if self.agrees_without_unknown(written, undercut) => return Vec::new(),
+            Err(why) => return vec![self.unchecked(&why, undercut)],
         };
-        if stored.blocks.len() > MOST_BLOCKS {
-            self.unchecked(&Unsolved::TooLong, stored);
-            return;
+        if self.blocks.len() > MOST_BLOCKS {
+            return vec![self.unchecked(&Unsolved::TooLong, undercut)];
         }
-        let start = stored.start.unwrap_or(made.start);
-        let mut compared = compare(start, &stored.blocks, &made, TOLERANCE * written.unit);
-        if compared.is_err() && written.unit != 1.0 && self.agrees_in_millimetres(stored, written) {
+        let start = self.start.unwrap_or(made.start);
+        let mut compared = compare(start, &self.blocks, &made, TOLERANCE * written.unit);
+        if compared.is_err() && written.unit != 1.0 && self.agrees_in_millimetres(written, undercut) {
             compared = Ok(());
         }
-        if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
-            let place = stored.places.get(i).copied().unwrap_or(stored.begin);
-            self.report(codes::S8026::element_runs_at_rapid_traverse(&(i + 1)).at(place));
-        }
-        if let Err(difference) = compared {
-            let told = Told { axes, written, start, blocks: &stored.blocks, made: &made };
-            let (at, fault) = told.difference(difference);
-            let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
-            let record = told.record(difference).and_then(|at| stored.record_places.get(at));
-            let mut found = fault.at(place);
-            if let Some(record) = record {
-                found = found.also(*record, Label::Typed);
+        let place_of = |at: Option<usize>| at.and_then(|at| self.places.get(at)).copied().unwrap_or(self.begin);
+        match (compared, self.rapid) {
+            (Ok(()), None) => Vec::new(),
+            (Ok(()), Some(i)) => {
+                vec![codes::S8026::element_runs_at_rapid_traverse(&(i + 1)).at(place_of(Some(i)))]
             }
-            self.report(found);
+            (Err(difference), _) => {
+                let told = Told { axes, written, start, blocks: &self.blocks, made: &made };
+                let (at, fault) = told.difference(difference);
+                let found = fault.at(place_of(at));
+                let record = told.record(difference).and_then(|at| self.record_places.get(at));
+                vec![match record {
+                    Some(record) => found.also(*record, Label::Typed),
+                    None => found,
+                }]
+            }
         }
     }
 
     /// Do the blocks agree with the records that are known? What is left over is no element then, as the pole is none.
-    fn agrees_without_unknown(&self, stored: &Stored, written: Written) -> bool {
-        let known: Vec<Record> = stored
+    fn agrees_without_unknown(&self, written: Written, undercut: &Undercuts) -> bool {
+        let known: Vec<Record> = self
             .records
             .iter()
             .map(|record| match record {
@@ -283,42 +283,34 @@ impl Core<'_> {
                 known => known.clone(),
             })
             .collect();
-        let made: Option<Contour> = solve(&known, written, &self.job.settings.undercut).ok();
-        made.is_some_and(|made| {
-            let start = stored.start.unwrap_or(made.start);
-            stored.rapid.is_none() && compare(start, &stored.blocks, &made, TOLERANCE * written.unit).is_ok()
-        })
+        self.rapid.is_none() && self.agrees(solve(&known, written, undercut), written)
     }
 
     /// Are the records in millimetres though the blocks are in inches? No contour of inches was ever seen.
-    fn agrees_in_millimetres(&self, stored: &Stored, written: Written) -> bool {
-        let made = solve(&stored.records, Written { unit: 1.0, ..written }, &self.job.settings.undercut);
+    fn agrees_in_millimetres(&self, written: Written, undercut: &Undercuts) -> bool {
+        self.agrees(solve(&self.records, Written { unit: 1.0, ..written }, undercut), written)
+    }
+
+    fn agrees(&self, made: Result<Contour, Unsolved>, written: Written) -> bool {
         made.is_ok_and(|made| {
-            let start = stored.start.unwrap_or(made.start);
-            compare(start, &stored.blocks, &made, TOLERANCE * written.unit).is_ok()
+            let start = self.start.unwrap_or(made.start);
+            compare(start, &self.blocks, &made, TOLERANCE * written.unit).is_ok()
         })
     }
 
-    fn unchecked(&self, why: &Unsolved, stored: &Stored) {
-        let (place, what, _) = self.unsolved(why, stored);
-        self.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(place));
-    }
-
-    /// The records make no contour.
-    fn no_contour(&mut self, why: &Unsolved, stored: &Stored) -> Outcome {
-        let (place, what, help) = self.unsolved(why, stored);
-        self.report(codes::S9019::contour_has_no_blocks(&what).at(place).help(help));
-        Err(Reported)
+    fn unchecked(&self, why: &Unsolved, undercut: &Undercuts) -> Diagnostic {
+        let (place, what, _) = self.unsolved(why, undercut);
+        codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(place)
     }
 
     /// Where the records stop making sense, why, and what mends it.
-    fn unsolved(&self, why: &Unsolved, stored: &Stored) -> (Loc, String, Help) {
-        let place = why.record().and_then(|at| stored.record_places.get(at)).copied().unwrap_or(stored.begin);
+    fn unsolved(&self, why: &Unsolved, undercut: &Undercuts) -> (Loc, String, Help) {
+        let place = why.record().and_then(|at| self.place_of_record(at)).unwrap_or(self.begin);
         let again = "open the contour in the editor of the control and accept it again";
         let (what, help): (String, Help) = match why {
             Unsolved::NoStart => ("they have no start point".to_owned(), again.into()),
             Unsolved::TooLong => ("there are too many of them".to_owned(), again.into()),
-            Unsolved::Unknown(at) => match stored.records.get(*at) {
+            Unsolved::Unknown(at) => match self.records.get(*at) {
                 Some(Record::Unknown(text)) => (
                     format!("`{text}` is not known as a record"),
                     "accept the contour in the editor again, or write it as blocks; how poles and polar elements are \
@@ -330,7 +322,7 @@ impl Core<'_> {
             Unsolved::Open(_) => ("this one does not determine its element".to_owned(), again.into()),
             Unsolved::Contradiction(_) => ("the values of this one contradict each other".to_owned(), again.into()),
             Unsolved::Undercut(_, why) => {
-                let (what, help) = self.no_undercut(why);
+                let (what, help) = no_undercut(why, undercut);
                 // A size that no table has is one of the user's own.
                 let help = match why {
                     NoUndercut::Index(_) => Answer::key("undercut", "din509_in_editor").help(help),
@@ -343,71 +335,69 @@ impl Core<'_> {
         (place, what, help)
     }
 
-    fn no_undercut(&self, why: &NoUndercut) -> (String, String) {
-        let accept = "accept the contour in the editor again";
-        match *why {
-            NoUndercut::Place => {
-                ("an undercut stands between two straight lines".to_owned(), "move or delete it".to_owned())
-            }
-            NoUndercut::Start => (
-                "the line that leads to the undercut at the start of the contour has no direction".to_owned(),
-                accept.to_owned(),
-            ),
-            NoUndercut::StartRounding => (
-                "the undercut at the start of the contour begins with a rounding, and the line before it, on which that \
-                 would lie, is no part of the contour"
-                    .to_owned(),
-                "begin the contour with the line before the undercut".to_owned(),
-            ),
-            NoUndercut::InchPitch => (
-                "whether the pitch of a thread undercut is in inches or in millimetres is not known in a contour of inches"
-                    .to_owned(),
-                "write the undercut as blocks, or by CYCLE940".to_owned(),
-            ),
-            NoUndercut::Corner => ("the corner does not take the undercut".to_owned(), accept.to_owned()),
-            NoUndercut::Convex => (
-                "the undercut stands at a convex edge: the contour reaches the turning centre, so the material lies on \
-                 the other side"
-                    .to_owned(),
-                "move it into an inner corner, or delete it".to_owned(),
-            ),
-            NoUndercut::Contradicts => (
-                "the undercuts contradict each other: one of them stands at a convex edge".to_owned(),
-                "an undercut belongs into an inner corner; move or delete the other one".to_owned(),
-            ),
-            NoUndercut::Free => (
-                "how a free undercut is stored is not known".to_owned(),
-                "write it as blocks, or by CYCLE940".to_owned(),
-            ),
-            NoUndercut::Index(index) => (
-                format!("no size of DIN 509 has the index {index}"),
-                "0 to 9, or as `[undercut] din509_in_editor` says".to_owned(),
-            ),
-            NoUndercut::PitchMissing { diameter, surface } => {
-                let help = match usual_pitch(&self.job.settings.undercut, surface, diameter) {
-                    Some(pitch) => format!("the coarse pitch for {diameter} mm is {pitch}: give `P:{pitch}`"),
-                    None => format!("no coarse pitch belongs to {diameter} mm: give `P:` as the drawing says"),
-                };
-                ("the thread undercut has no pitch".to_owned(), help)
-            }
-            NoUndercut::Pitch(pitch) => {
-                let help = match self.job.settings.undercut.nearest_pitch(pitch) {
-                    Some(near) => format!("the nearest one is {near}; add others by `[undercut] din76`"),
-                    None => "add it by `[undercut] din76`".to_owned(),
-                };
-                (format!("DIN 76 has no undercut for the pitch {pitch}"), help)
-            }
-            NoUndercut::Entry(None) => ("the undercut has no entry angle".to_owned(), "give `ALFA:30`".to_owned()),
-            NoUndercut::Entry(Some(angle)) => {
-                (format!("the entry angle {angle} is out of range"), "it lies between 30 and 90 degrees".to_owned())
-            }
-        }
+    /// Where a record stands.
+    fn place_of_record(&self, record: usize) -> Option<Loc> {
+        self.record_places.get(record).copied()
     }
+}
 
-    /// What follows comes from a record.
-    fn stand_at(&mut self, stored: &Stored, record: usize) {
-        if let Some(place) = stored.record_places.get(record) {
-            self.here.origin.loc = *place;
+/// Why an undercut cannot be made, and what mends it.
+fn no_undercut(why: &NoUndercut, undercut: &Undercuts) -> (String, String) {
+    let accept = "accept the contour in the editor again";
+    match *why {
+        NoUndercut::Place => {
+            ("an undercut stands between two straight lines".to_owned(), "move or delete it".to_owned())
+        }
+        NoUndercut::Start => (
+            "the line that leads to the undercut at the start of the contour has no direction".to_owned(),
+            accept.to_owned(),
+        ),
+        NoUndercut::StartRounding => (
+            "the undercut at the start of the contour begins with a rounding, and the line before it, on which that \
+             would lie, is no part of the contour"
+                .to_owned(),
+            "begin the contour with the line before the undercut".to_owned(),
+        ),
+        NoUndercut::InchPitch => (
+            "whether the pitch of a thread undercut is in inches or in millimetres is not known in a contour of inches"
+                .to_owned(),
+            "write the undercut as blocks, or by CYCLE940".to_owned(),
+        ),
+        NoUndercut::Corner => ("the corner does not take the undercut".to_owned(), accept.to_owned()),
+        NoUndercut::Convex => (
+            "the undercut stands at a convex edge: the contour reaches the turning centre, so the material lies on \
+             the other side"
+                .to_owned(),
+            "move it into an inner corner, or delete it".to_owned(),
+        ),
+        NoUndercut::Contradicts => (
+            "the undercuts contradict each other: one of them stands at a convex edge".to_owned(),
+            "an undercut belongs into an inner corner; move or delete the other one".to_owned(),
+        ),
+        NoUndercut::Free => {
+            ("how a free undercut is stored is not known".to_owned(), "write it as blocks, or by CYCLE940".to_owned())
+        }
+        NoUndercut::Index(index) => (
+            format!("no size of DIN 509 has the index {index}"),
+            "0 to 9, or as `[undercut] din509_in_editor` says".to_owned(),
+        ),
+        NoUndercut::PitchMissing { diameter, surface } => {
+            let help = match usual_pitch(undercut, surface, diameter) {
+                Some(pitch) => format!("the coarse pitch for {diameter} mm is {pitch}: give `P:{pitch}`"),
+                None => format!("no coarse pitch belongs to {diameter} mm: give `P:` as the drawing says"),
+            };
+            ("the thread undercut has no pitch".to_owned(), help)
+        }
+        NoUndercut::Pitch(pitch) => {
+            let help = match undercut.nearest_pitch(pitch) {
+                Some(near) => format!("the nearest one is {near}; add others by `[undercut] din76`"),
+                None => "add it by `[undercut] din76`".to_owned(),
+            };
+            (format!("DIN 76 has no undercut for the pitch {pitch}"), help)
+        }
+        NoUndercut::Entry(None) => ("the undercut has no entry angle".to_owned(), "give `ALFA:30`".to_owned()),
+        NoUndercut::Entry(Some(angle)) => {
+            (format!("the entry angle {angle} is out of range"), "it lies between 30 and 90 degrees".to_owned())
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Contours of the contour editor of which only the records are left: their blocks are made anew.
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Fault, Help, codes};
 use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
 use crate::ir::undercut::Surface;
 use crate::ir::{Feed, Pos};
@@ -8,91 +8,26 @@ use crate::machine::Axis;
 use crate::parser::sinumerik::records::Record;
 use crate::sema::run::Where;
 
+use super::super::corners::modal_corner_feed;
 use super::super::diameter::Diameter;
 use super::super::g_groups::GCode;
+use super::super::state::State;
 use super::super::words::Words;
-use super::super::{Channel, Core, Outcome, Run};
+use super::super::{Channel, Core, Outcome};
 use super::made::{Contour, ContourBlock, CornerWord};
 use super::{Stored, TOLERANCE};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// What holds where the blocks are missing must be what the editor would have written into them.
     pub(super) fn can_be_rebuilt(&mut self, stored: &Stored) -> Outcome {
-        let place = |run: &mut Self| run.channel.core.here.origin.loc = stored.begin;
-        let here = self.channel.core.here.origin;
-        place(self);
-        let result =
-            self.channel.pending_must_be_done(Where::Block).and_then(|()| self.channel.diameters_are_told(stored));
-        let result = result.and_then(|()| self.channel.no_state_beside(stored));
-        self.channel.core.here.origin = here;
+        let here = self.core.here.origin;
+        self.core.here.origin.loc = stored.begin;
+        let result = self
+            .pending_must_be_done(Where::Block)
+            .and_then(|()| self.core.accept(Where::Block, diameters_are_told(&self.core, &self.st, stored)))
+            .and_then(|()| self.core.accept(Where::Block, no_state_beside(&self.st, stored)));
+        self.core.here.origin = here;
         result
-    }
-}
-
-impl Channel<'_> {
-    /// The plane block of the editor says DIAM90 for turning and DIAMOF for milling, and the header which it was.
-    fn diameters_are_told(&self, stored: &Stored) -> Outcome {
-        let [first, second, _] = self.st.roles();
-        let on = self.st.diameter_mode() != Diameter::Off;
-        let turned = stored.records.iter().find_map(|record| match record {
-            Record::Header { turned, .. } => *turned,
-            _ => None,
-        });
-        if on && self.core.is_diameter_axis(first) {
-            let what = format!("{} counts in diameters, which its records never do", first.letter());
-            return self.core.not_rebuilt(&what, "program DIAMOF before the contour");
-        }
-        let across = second == Axis::X || self.core.is_diameter_axis(second);
-        let wanted = across && turned.unwrap_or_else(|| self.core.is_diameter_axis(second));
-        let taken = on && self.core.is_diameter_axis(second);
-        if stored.diameter_said || wanted == taken {
-            return Ok(());
-        }
-        let (what, help): (&str, Help) = if wanted && self.core.job.settings.machine.diameter_axis.is_none() {
-            (
-                "the editor writes turned contours in diameters (DIAM90), and no diameter axis is configured",
-                Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
-            )
-        } else if wanted {
-            (
-                "the editor writes turned contours in diameters (DIAM90), and DIAMOF is in force",
-                "program DIAM90 before the contour; where its values are radii, DIAMOF inside of it".into(),
-            )
-        } else {
-            (
-                "the editor writes milled contours with DIAMOF, and diameters are in force",
-                "program DIAMOF before the contour".into(),
-            )
-        };
-        self.core.not_rebuilt(what, help)
-    }
-
-    /// What would act on each block of the contour, and is not made for records.
-    fn no_state_beside(&self, stored: &Stored) -> Outcome {
-        if self.st.modal_call.is_on() {
-            return self.core.not_rebuilt("a modal call is active", "end it by MCALL before the contour");
-        }
-        let off = self.st.tool.is_without_offset();
-        if off && !self.is_capturing() {
-            return self.core.not_rebuilt("under D0 its points count without the tool", "select D1 before the contour");
-        }
-        if self.st.offsets.in_machine() {
-            return self.core.not_rebuilt("G500 is in force", "select a work offset before the contour");
-        }
-        let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
-        if undercut && self.st.corners.rounding() != 0.0 {
-            return self.core.not_rebuilt(
-                "RNDM is in force and would round the edges of its undercut",
-                "program RNDM=0 before the contour",
-            );
-        }
-        if undercut && self.st.corners.feed().is_some() {
-            return self.core.not_rebuilt(
-                "FRCM is in force and is the feed of the roundings of its undercut alone",
-                "program FRCM=0 before the contour",
-            );
-        }
-        Ok(())
     }
 
     /// The blocks of a contour of which only the records are left.
@@ -109,7 +44,7 @@ impl Channel<'_> {
             false => Some(self.cutting_feed(&mut Words::new())?),
         };
         let modal_feed = if self.st.corners.rounding() > 0.0 || made.blocks.iter().any(|block| block.corner.is_some()) {
-            self.modal_corner_feed()?
+            modal_corner_feed(&self.core, &self.st)?
         } else {
             None
         };
@@ -180,9 +115,77 @@ impl Channel<'_> {
     }
 }
 
+/// The plane block of the editor says DIAM90 for turning and DIAMOF for milling, and the header which it was.
+fn diameters_are_told(core: &Core<'_>, st: &State, stored: &Stored) -> Result<(), Fault> {
+    let [first, second, _] = st.roles();
+    let on = st.diameter_mode() != Diameter::Off;
+    let turned = stored.records.iter().find_map(|record| match record {
+        Record::Header { turned, .. } => *turned,
+        _ => None,
+    });
+    if on && core.is_diameter_axis(first) {
+        let what = format!("{} counts in diameters, which its records never do", first.letter());
+        return Err(not_rebuilt(&what, "program DIAMOF before the contour"));
+    }
+    let across = second == Axis::X || core.is_diameter_axis(second);
+    let wanted = across && turned.unwrap_or_else(|| core.is_diameter_axis(second));
+    let taken = on && core.is_diameter_axis(second);
+    if stored.diameter_said || wanted == taken {
+        return Ok(());
+    }
+    let (what, help): (&str, Help) = if wanted && core.job.settings.machine.diameter_axis.is_none() {
+        (
+            "the editor writes turned contours in diameters (DIAM90), and no diameter axis is configured",
+            Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
+        )
+    } else if wanted {
+        (
+            "the editor writes turned contours in diameters (DIAM90), and DIAMOF is in force",
+            "program DIAM90 before the contour; where its values are radii, DIAMOF inside of it".into(),
+        )
+    } else {
+        (
+            "the editor writes milled contours with DIAMOF, and diameters are in force",
+            "program DIAMOF before the contour".into(),
+        )
+    };
+    Err(not_rebuilt(what, help))
+}
+
+/// What would act on each block of the contour, and is not made for records.
+fn no_state_beside(st: &State, stored: &Stored) -> Result<(), Fault> {
+    if st.modal_call.is_on() {
+        return Err(not_rebuilt("a modal call is active", "end it by MCALL before the contour"));
+    }
+    let off = st.tool.is_without_offset();
+    if off && !st.describes {
+        return Err(not_rebuilt("under D0 its points count without the tool", "select D1 before the contour"));
+    }
+    if st.offsets.in_machine() {
+        return Err(not_rebuilt("G500 is in force", "select a work offset before the contour"));
+    }
+    let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
+    if undercut && st.corners.rounding() != 0.0 {
+        return Err(not_rebuilt(
+            "RNDM is in force and would round the edges of its undercut",
+            "program RNDM=0 before the contour",
+        ));
+    }
+    if undercut && st.corners.feed().is_some() {
+        return Err(not_rebuilt(
+            "FRCM is in force and is the feed of the roundings of its undercut alone",
+            "program FRCM=0 before the contour",
+        ));
+    }
+    Ok(())
+}
+
 impl Core<'_> {
-    fn not_rebuilt(&self, what: &str, help: impl Into<Help>) -> Outcome {
-        self.refuse(Where::Block, codes::S9019::contour_has_no_blocks_and_they_are_not(&what).help(help))
+    /// What follows comes from a record.
+    fn stand_at(&mut self, stored: &Stored, record: usize) {
+        if let Some(place) = stored.place_of_record(record) {
+            self.here.origin.loc = place;
+        }
     }
 
     /// What of the contour is a choice of ours or rests on facts that are not confirmed.
@@ -213,4 +216,9 @@ impl Core<'_> {
             self.say_once(Where::Block, codes::S8022::undercut_rests_on_facts_that_are_not(&doubts));
         }
     }
+}
+
+/// Why the blocks of a contour are not made from its records.
+fn not_rebuilt(what: &str, help: impl Into<Help>) -> Fault {
+    codes::S9019::contour_has_no_blocks_and_they_are_not(&what).help(help)
 }
