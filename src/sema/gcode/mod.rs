@@ -167,9 +167,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         }
         for comment in &line.comments {
             self.check_receiver(comment.of(text));
-            if let Some(comment) = self.core.comment_of(comment.of(text)) {
-                self.does(&comment);
-            }
+            self.core.send_comment(comment.of(text), &self.ctx);
         }
         if self.names_an_output(line.span.of(text)) {
             return;

@@ -16,6 +16,7 @@ use super::m_table::Args;
 use super::state::State;
 use super::words::{Comp, MWord, Words};
 use super::{Outcome, Reported, Run};
+use crate::sema::common::compensation::compensate;
 use crate::sema::common::plane::plane_axes;
 
 /// Most blocks that M120 LA looks ahead.
@@ -96,7 +97,7 @@ impl State {
             let search = Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 };
             let (outside, inside) = (Outside::default(), Inside::default());
             let (feed, own_corner) = (self.feed.at, false);
-            self.compensate(crate::ir::Compensation { search, outside, inside, feed, own_corner, ..rules });
+            compensate(&mut self.ctx, crate::ir::Compensation { search, outside, inside, feed, own_corner, ..rules });
         }
     }
 }
@@ -182,7 +183,7 @@ impl Run<'_> {
             return self.core.refuse(span, codes::P9013::under_m128_radius_compensation_is_one());
         }
         // RND and CHF there are refused, or accepted, where they stand.
-        self.st.compensate(crate::ir::Compensation { radius, rounded_border: true, ..Default::default() });
+        compensate(&mut self.st.ctx, crate::ir::Compensation { radius, rounded_border: true, ..Default::default() });
         self.st.modal_rules();
         Ok(())
     }
@@ -210,7 +211,7 @@ impl Run<'_> {
         let outside = if inside.is_some() { rules.outside } else { outside };
         let inside = inside.unwrap_or(rules.inside);
         let own_corner = outside != Outside::default();
-        self.st.compensate(crate::ir::Compensation { outside, inside, own_corner, ..rules });
+        compensate(&mut self.st.ctx, crate::ir::Compensation { outside, inside, own_corner, ..rules });
         self.st.own_corner = OwnCorner::Waits;
     }
 
@@ -236,7 +237,7 @@ impl Run<'_> {
         self.st.look_ahead = blocks as u32;
         if let Some(rules) = self.st.ctx.compensation.as_deref().copied() {
             let search = Search { elements: self.st.look_ahead, bottlenecks: self.st.look_ahead > 0 };
-            self.st.compensate(crate::ir::Compensation { search, ..rules });
+            compensate(&mut self.st.ctx, crate::ir::Compensation { search, ..rules });
         }
         Ok(())
     }

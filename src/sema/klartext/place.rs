@@ -131,10 +131,8 @@ impl Run<'_> {
         if self.st.compensation.is_on() || self.is_capturing() {
             return;
         }
-        let ctx = self.st.ctx.clone();
-        let known = self.st.position.stand_in_offset(places, &ctx.frame);
+        let known = self.core.stand(&mut self.st.position, places, &self.st.ctx);
         self.st.polar.forget_last_of(known.known());
-        self.core.stands_at(&known, &ctx);
     }
 
     /// The new length of the tool counts from here on, or the change moved the axis.

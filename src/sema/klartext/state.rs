@@ -106,13 +106,6 @@ impl State {
         self.tool.change = Change::None;
     }
 
-    /// How the compiler compensates from now on.
-    pub fn compensate(&mut self, rules: crate::ir::Compensation) {
-        if self.ctx.compensation.as_deref() != Some(&rules) {
-            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
-        }
-    }
-
     /// Tool axis in force: called, or that of the blank, or Z.
     pub fn axis(&self) -> Axis {
         self.tool.axis().or(self.blank.axis).unwrap_or(Axis::Z)

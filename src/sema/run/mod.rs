@@ -16,10 +16,12 @@ mod nowhere;
 pub mod place;
 mod printed;
 mod prints;
+pub mod refusal;
 mod report;
 mod site;
 mod source;
 pub mod survey;
+mod surveying;
 pub mod unexecuted;
 
 use crate::diag::Code;
@@ -27,6 +29,7 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
+pub use self::calls::like;
 pub use self::core::Core;
 pub use self::described::Counted;
 pub use self::files::{Wanted, no_root, not_opened, open_cursor, open_program, refused};
@@ -36,6 +39,7 @@ pub use self::printed::OffsetName;
 pub use self::report::Where;
 pub use self::site::Site;
 pub use self::source::{Parsed, Read};
+pub use self::surveying::{Shown, Shows, survey_file};
 
 /// How the text of a program becomes blocks. The value holds what reading needs besides the symbols: most languages
 /// need nothing.

@@ -10,7 +10,7 @@ use crate::geo::{Plane, Vec2};
 use crate::ir;
 use crate::ir::Side;
 use crate::machine::Compensation;
-use crate::sema::common::compensation::edge_direction;
+use crate::sema::common::compensation::{compensate, edge_direction};
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -161,7 +161,7 @@ impl Channel<'_> {
         self.check_corner_change(w);
         match self.rules(cutter, place) {
             Ok(rules) => {
-                self.st.compensate(rules);
+                compensate(&mut self.st.ctx, rules);
                 Ok(())
             }
             Err(reported) => {

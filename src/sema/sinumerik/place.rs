@@ -91,9 +91,7 @@ impl Channel<'_> {
         if self.st.side() != crate::ir::Side::None || self.is_capturing() {
             return;
         }
-        let ctx = self.st.ctx.clone();
-        let known = self.st.position.stand_in_offset(places, &ctx.frame);
-        self.core.stands_at(&known, &ctx);
+        self.core.stand(&mut self.st.position, places, &self.st.ctx);
     }
 
     /// An error where the position of an axis is needed and not known.

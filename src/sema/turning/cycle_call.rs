@@ -6,7 +6,7 @@ use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet};
-use crate::sema::cycle::call::{Kind, reported};
+use crate::sema::cycle::call::Kind;
 use crate::sema::cycle::given::{Breach, Given, Value};
 use crate::sema::cycle::row::{Name, Parameter};
 use crate::sema::run::Where;
@@ -48,7 +48,7 @@ impl Run<'_> {
         let call = CycleCall::new(&given, &lathe, self.core.job.settings);
         let planned = (row.plan)(&call);
         self.tell(call);
-        let steps = reported(planned, |place, fault| self.core.say(place, fault))?;
+        let steps = self.core.made(planned)?;
         self.carry_out(&steps);
         if row.uses_oversize() {
             self.st.oversize = None;
