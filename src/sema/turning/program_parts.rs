@@ -24,3 +24,10 @@ pub(super) enum ProgramPart {
     /// Behind RETURN: a section has to follow.
     Between,
 }
+
+impl ProgramPart {
+    /// Its blocks are executed.
+    pub fn is_executed(self) -> bool {
+        matches!(self, ProgramPart::Start | ProgramPart::Machining)
+    }
+}

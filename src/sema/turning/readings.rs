@@ -8,9 +8,9 @@ use std::fmt::Display;
 use crate::diag::fault::Asking;
 use crate::diag::{Answer, Fault, codes};
 use crate::machine::Settings;
-use crate::text::Span;
+use crate::sema::run::Where;
 
-use super::Run;
+use super::Core;
 use super::words::Words;
 
 /// A question that the manuals leave open.
@@ -85,20 +85,20 @@ impl Question {
     }
 }
 
-impl Run<'_> {
+impl Core<'_> {
     /// A word of the block that changes nothing here: worth a note, as no word goes in silence.
     pub(super) fn without_effect(&self, w: &Words, letters: &[u8], idle: fn(&dyn Display) -> Fault) {
         for letter in letters {
             if let Some(num) = w.get(*letter) {
-                self.core.say(num.span, idle(&(*letter as char)));
+                self.say(num.span, idle(&(*letter as char)));
             }
         }
     }
 
     /// The block depends on `question`: the first one of the program says so.
-    pub(super) fn depends_on(&self, question: Question, span: Span) {
-        if !question.is_settled(self.core.job.settings) {
-            self.core.say_once(span, question.fault());
+    pub(super) fn depends_on(&self, question: Question, place: impl Into<Where>) {
+        if !question.is_settled(self.job.settings) {
+            self.say_once(place, question.fault());
         }
     }
 }

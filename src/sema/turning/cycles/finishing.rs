@@ -12,7 +12,7 @@ use crate::ir::cycle::turning::Towards;
 use crate::sema::cycle::call::{Elsewhere, Made};
 use crate::sema::cycle::row::{Rule, length, number};
 
-use super::super::geometry::Blank;
+use super::super::blank::Blank;
 use super::super::technology::Oversize;
 use super::{
     Contour, CycleCall, DESCENDING, ENDS, ID, LEFT_OUT, LIMIT_X, LIMIT_Z, NE, NS, Need, Planned, Row, Unbuilt, one,
@@ -97,7 +97,7 @@ impl CycleCall<'_> {
             Some(0.0) => Descending::Left,
             Some(own) => Descending::Cut { feed: feed.with_value(own) },
         };
-        let speed = self.st.modal.spindle.turns();
+        let speed = self.st.modal.spindle.speed_in_turns();
         let arcs = match self.given.whole(word::O) {
             0 => ArcFeed::Turns { turns: TURNS_ON_AN_ARC, speed },
             _ => ArcFeed::Same,
@@ -117,7 +117,7 @@ impl CycleCall<'_> {
             shift,
             away: stance.away,
             clearance: self.clearance(),
-            blank: self.st.modal.uncut_bar(self.st.blank),
+            blank: self.st.modal.stock.uncut_bar(self.st.blank),
             feed,
             descending,
             arcs,

@@ -8,8 +8,8 @@ use crate::sema::cycle::call::{Call, Kind, Made};
 use crate::sema::cycle::row::Name;
 use crate::sema::run::Where;
 
+use super::super::blank::Blank;
 use super::super::chain::Coord;
-use super::super::geometry::Blank;
 use super::super::outline::Section;
 use super::super::program_parts::Family;
 use super::super::readings::Question;

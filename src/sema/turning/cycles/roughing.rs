@@ -13,7 +13,7 @@ use crate::machine::RecessDepth;
 use crate::sema::cycle::call::{Elsewhere, Made};
 use crate::sema::cycle::row::{Name, Parameter, Rule, length, number};
 
-use super::super::geometry::Blank as Stock;
+use super::super::blank::Blank as Stock;
 use super::super::readings::Question;
 use super::super::technology::Oversize;
 use super::super::tool_side::tool_is_left;
