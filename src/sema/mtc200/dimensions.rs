@@ -36,9 +36,6 @@ impl Dimensions {
     }
 
     /// The same of any axis; degrees of a rotary one.
-    ///
-    /// # Errors
-    /// M9008.
     #[inline]
     pub fn length(self, axis: Axis, value: f64) -> Result<f64, Fault> {
         if axis.is_main() {
@@ -51,18 +48,12 @@ impl Dimensions {
     }
 
     /// A length that is never a diameter.
-    ///
-    /// # Errors
-    /// M9008.
     pub fn radius_length(self, axis: Axis, value: f64) -> Result<f64, Fault> {
         Dimensions { diameter: false, ..self }.length(axis, value)
     }
 }
 
 /// Where a rotary axis that stands at `from` goes in unbroken degrees: the short way to `value`.
-///
-/// # Errors
-/// M2017.
 pub(super) fn rotary_target(axis: Axis, value: f64, from: Option<f64>) -> Result<f64, Fault> {
     let letter = axis.letter();
     if value.abs() > 360.0 {

@@ -49,9 +49,6 @@ impl Variables {
     }
 
     /// Does the last result fulfil the condition?
-    ///
-    /// # Errors
-    /// M2204, M2205: nobody knows where the program goes on.
     pub fn fulfil(&self, condition: Condition) -> Result<bool, crate::diag::Fault> {
         if condition == Condition::Always {
             return Ok(true);

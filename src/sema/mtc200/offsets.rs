@@ -71,9 +71,6 @@ impl OffsetState {
     }
 
     /// May `offset` be selected?
-    ///
-    /// # Errors
-    /// P1003, M2101.
     fn may_become(&self, offset: Offset, compensated: bool) -> Result<(), Fault> {
         if compensated {
             return Err(codes::P1003::zero_offset_changes_under_path_compensation());
@@ -85,9 +82,6 @@ impl OffsetState {
     }
 
     /// May G50, G51 or G52 of a block stand here?
-    ///
-    /// # Errors
-    /// P1004, P1003, M2101.
     fn may_shift(&self, named: AxisSet, compensated: bool) -> Result<(), Fault> {
         if named.is_empty() {
             return Err(codes::P1004::offset_names_no_axis());
@@ -102,9 +96,6 @@ impl OffsetState {
     }
 
     /// The offsets together behind G50, G51 or G52 with these values; G52 shifts by them.
-    ///
-    /// # Errors
-    /// M2014.
     fn shifted_by(&self, g: G, values: [f64; AXES], named: AxisSet) -> Result<[f64; AXES], Fault> {
         if g != G::ShiftTo {
             return Ok(std::array::from_fn(|i| self.shift[i] + values[i]));
@@ -124,9 +115,6 @@ impl OffsetState {
     }
 
     /// The number of the program that an increment is added to, behind a changed offset; where the axis stands without one.
-    ///
-    /// # Errors
-    /// M2018: it may be either.
     #[inline]
     pub fn counts_from(&self, axis: Axis, position: &Position, way: ShiftedIncrement) -> Result<Option<f64>, Fault> {
         if !self.is_shifted(axis) {
@@ -140,9 +128,6 @@ impl OffsetState {
     }
 
     /// An arc under G91 behind a changed offset starts where the tool stands only in one of the two readings.
-    ///
-    /// # Errors
-    /// M2018.
     pub fn starts_arc(&self, axes: [Axis; 2], way: ShiftedIncrement) -> Result<(), Fault> {
         match axes.into_iter().find(|axis| self.is_shifted(*axis)) {
             Some(axis) if way != ShiftedIncrement::Increment => Err(may_count_from_either(axis)),

@@ -14,9 +14,6 @@ use super::g_functions::{G, Group};
 use super::words::{At, Words};
 
 /// G96 (`on`) and G97: where S counts something else now, the block has to say it.
-///
-/// # Errors
-/// P1004.
 pub(super) fn count(spindle: &mut ModalSpindle, on: bool, w: &Words) -> Result<(), Fault> {
     let changes = spindle.count(if on { SpeedKind::Cutting } else { SpeedKind::Turns });
     let limit_only = w.g[Group::Once as usize].is_some_and(|(g, _)| g == G::SpeedLimit);

@@ -49,9 +49,6 @@ impl ToolInUse {
     }
 
     /// D and E choose a radius that only the machine knows.
-    ///
-    /// # Errors
-    /// P9013.
     pub fn radius_is_that_of_the_table(&self) -> Result<(), Fault> {
         if self.corrected {
             return Err(codes::P9013::what_correction_d_in_force_adds().answer(printed()));
@@ -63,9 +60,6 @@ impl ToolInUse {
     }
 
     /// How the compiler computes the path of the centre of this tool, or of the nose of a turning tool.
-    ///
-    /// # Errors
-    /// P9013 where its data is missing.
     pub fn rules(&self, tool: u32, plane: Plane, settings: &Settings) -> Result<ir::Compensation, Fault> {
         let answers = |field| [Answer::tool(tool, field), printed()];
         let (radius, edge) = nose_of(settings.tools.by_number(tool, 0));
@@ -91,9 +85,6 @@ impl ToolInUse {
     }
 
     /// G43 of the target adds the length of the tool to Z, whatever the plane.
-    ///
-    /// # Errors
-    /// O9190.
     pub fn length_acts_along_z(&self, plane: Plane, settings: &Settings) -> Result<(), Fault> {
         let none = self.active.is_none_or(|number| number == 0);
         let lathe = settings.machine.kind == MachineKind::Lathe;
@@ -124,9 +115,6 @@ impl Transition {
     }
 
     /// A block of the contour; after too many that do not move in the plane the control takes it as finished.
-    ///
-    /// # Errors
-    /// P9013.
     pub fn pass(&mut self, moves_in_plane: bool, computed: Compensation) -> Result<(), Fault> {
         let before = self.between;
         self.between = if moves_in_plane { 0 } else { before + 1 };

@@ -60,6 +60,11 @@ impl Frame {
             part: ProgramPart::Start,
         }
     }
+
+    /// The innermost structure that is open.
+    pub fn open(&self) -> Option<Loc> {
+        self.nests.last().map(|nest| nest.loc)
+    }
 }
 
 /// Where the local subprograms of a file begin, by their upper-case name.
@@ -193,7 +198,7 @@ impl Run<'_> {
 
     /// RETURN.
     pub(super) fn return_from_subprogram(&mut self) -> Outcome {
-        if let Some(loc) = self.core.open_structure() {
+        if let Some(loc) = self.core.level().frame.open() {
             self.core.report(codes::T1009::this_is_not_closed_when_subprogram_ends().at(loc));
         }
         if let Some(frame) = self.core.leave()? {

@@ -16,7 +16,7 @@ use super::called_contour::Wanted;
 use super::cycles::{CycleCall, Lathe, Need, Refused, Row, Step, Unbuilt};
 use super::outline::Outline;
 use super::program_parts::Family;
-use super::state::State;
+use super::spindle::turns;
 use super::words::{Fun, Words};
 use super::{Core, Outcome, Run};
 
@@ -36,7 +36,10 @@ impl Run<'_> {
         let given = given(row, w, named, measure.mm);
         self.core.made(fits_its_row(row, &given))?;
         for need in row.requires {
-            self.core.meets(*need, row.number, measure.family, &mut self.st)?;
+            match need {
+                Need::Feed => drop(self.core.cutting_feed(&mut self.st.feed)?),
+                need => self.core.meets(*need, row.number, measure.family, &self.st.spindle)?,
+            }
         }
         let wanted = Wanted { w, named, behind: behind.outline };
         let contour = self.geometry.contour_for(row.contour, wanted, &self.core)?;
@@ -121,19 +124,10 @@ fn fits_its_row(row: &Row, given: &Given) -> Made {
 }
 
 impl Core<'_> {
-    /// A thread is cut with a turning spindle.
-    pub(super) fn spindle_turns(&self, spindle: &ModalSpindle, number: u16) -> Outcome {
-        if spindle.turn().is_some() {
-            return Ok(());
-        }
-        self.refuse(Where::Block, codes::P1004::spindle_does_not_turn_when_g_begins(&number))
-    }
-
-    fn meets(&self, need: Need, number: u16, family: Family, st: &mut State) -> Outcome {
+    fn meets(&self, need: Need, number: u16, family: Family, spindle: &ModalSpindle) -> Outcome {
         let fault = match need {
-            Need::Feed => return self.cutting_feed(&mut st.feed).map(|_| ()),
-            Need::Spindle => return self.spindle_turns(&st.spindle, number),
-            Need::Turns if st.spindle.is_cutting() => codes::P1005::tapping_under_constant_cutting_speed(),
+            Need::Spindle => return self.made_at(Where::Block, turns(spindle, number)),
+            Need::Turns if spindle.is_cutting() => codes::P1005::tapping_under_constant_cutting_speed(),
             Need::Reading(question) => {
                 self.depends_on(question, Where::Block);
                 return Ok(());
@@ -144,7 +138,7 @@ impl Core<'_> {
             },
             Need::NotDinPlus(fault) if family == Family::DinPlus => fault(),
             Need::LaterControl(fault) if family == Family::Basic => fault(),
-            Need::Turns | Need::NotDinPlus(_) | Need::LaterControl(_) => return Ok(()),
+            Need::Feed | Need::Turns | Need::NotDinPlus(_) | Need::LaterControl(_) => return Ok(()),
         };
         self.refuse(Where::Block, fault)
     }

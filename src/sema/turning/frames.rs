@@ -36,9 +36,6 @@ impl Shift {
     }
 
     /// The shifts behind G51, G56 or G59 with this Z. `counted`: why the workpiece zero may not move under what counts from it.
-    ///
-    /// # Errors
-    /// T2016.
     pub fn after(self, kind: Kind, z: f64, counted: Option<fn() -> Fault>) -> Result<Shift, Fault> {
         match (kind, self.base, counted) {
             (Kind::ShiftRelative, ..) => Ok(Shift { relative: z, ..self }),

@@ -249,18 +249,6 @@ impl Words {
 }
 
 impl Core<'_> {
-    pub(super) fn flaw(&self, flaw: &Flaw) {
-        self.report(flaw.fault.clone().at(flaw.loc));
-    }
-
-    /// What was made of a contour; reports the flaw where it was not.
-    pub(super) fn flawless<T>(&self, result: Result<T, Flaw>) -> Outcome<T> {
-        result.map_err(|flaw| {
-            self.flaw(&flaw);
-            Reported
-        })
-    }
-
     fn element(
         &self,
         w: &Words,

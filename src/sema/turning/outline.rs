@@ -15,6 +15,7 @@ use super::element_data::Transition;
 use super::forms::{self, Recess};
 use super::sides::Form;
 use super::undercuts::{self, Undercut};
+use super::{Core, Outcome, Reported};
 
 /// The largest contour a cycle takes.
 pub(super) const MOST_EDGES: usize = 1_000;
@@ -73,6 +74,20 @@ pub(super) struct BuiltElement {
 pub(super) struct Flaw {
     pub loc: Loc,
     pub fault: Fault,
+}
+
+impl Core<'_> {
+    pub(super) fn flaw(&self, flaw: &Flaw) {
+        self.report(flaw.fault.clone().at(flaw.loc));
+    }
+
+    /// What was made of a contour; reports the flaw where it was not.
+    pub(super) fn flawless<T>(&self, result: Result<T, Flaw>) -> Outcome<T> {
+        result.map_err(|flaw| {
+            self.flaw(&flaw);
+            Reported
+        })
+    }
 }
 
 /// A contour under construction.

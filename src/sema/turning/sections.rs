@@ -83,9 +83,6 @@ impl Sections {
 /// What lines of sections and headers say.
 impl Sections {
     /// `%name.nc`; `begun`: a block of the program ran.
-    ///
-    /// # Errors
-    /// T1008.
     pub fn program_line(&mut self, begun: bool) -> Result<(), Fault> {
         if begun {
             return Err(codes::T1008::program_name_stands_in_middle_of_program());
@@ -95,9 +92,6 @@ impl Sections {
     }
 
     /// A section or header line of DIN PLUS.
-    ///
-    /// # Errors
-    /// T2017, T1008.
     fn enter_din_plus(&mut self) -> Result<(), Fault> {
         self.framed = true;
         match (self.configured, self.family) {
@@ -221,11 +215,6 @@ fn one_part(rest: &[u8]) -> Result<(), Fault> {
 }
 
 impl Core<'_> {
-    /// A structure that is open where the program, the subprogram or the section ends.
-    pub(super) fn open_structure(&mut self) -> Option<Loc> {
-        self.level().frame.nests.last().map(|nest| nest.loc)
-    }
-
     /// Warns about blocks behind END; local subprograms may stand there.
     fn look_behind_end(&mut self) {
         let (mut block, mut ignored) = (Block::default(), Vec::new());
@@ -265,7 +254,7 @@ impl Run<'_> {
             return self.core.refuse(Where::Block, codes::T1008::section_begins_inside_subprogram());
         }
         self.core.made_at(Where::Block, self.sections.enter_din_plus())?;
-        if let Some(loc) = self.core.open_structure() {
+        if let Some(loc) = self.core.level().frame.open() {
             let found = codes::T1009::this_is_not_closed_when_next_section().at(loc);
             self.core.report(found.also(self.core.here.origin.loc, Label::Section));
             self.core.level().frame.nests.clear();
@@ -293,7 +282,7 @@ impl Run<'_> {
             self.core.stop_run();
             return Err(Reported);
         }
-        if let Some(loc) = self.core.open_structure() {
+        if let Some(loc) = self.core.level().frame.open() {
             self.core.report(codes::T1009::this_is_not_closed_when_program_ends().at(loc));
         }
         self.geometry.finish(&self.core);

@@ -58,3 +58,11 @@ pub(super) fn order(spindle: &ModalSpindle) -> Option<(Spindle, Option<Fault>)> 
     let lowered = (kept < speed).then(|| codes::T2005::speed_is_lowered_to_limit_of_g26(&speed, &kept));
     Some((Spindle::Speed(kept), lowered))
 }
+
+/// A thread is cut with a turning spindle, by the function of this number.
+pub(super) fn turns(spindle: &ModalSpindle, number: u16) -> Result<(), Fault> {
+    match spindle.turn() {
+        Some(_) => Ok(()),
+        None => Err(codes::P1004::spindle_does_not_turn_when_g_begins(&number)),
+    }
+}
