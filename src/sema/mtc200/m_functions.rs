@@ -5,7 +5,7 @@
 
 use crate::diag::{Answer, codes};
 use crate::ir::Function;
-use crate::ir::function::{Coolant, CutterData, Spindle};
+use crate::ir::function::{Coolant, Spindle};
 use crate::machine::AxisSet;
 use crate::machine::tools::ToolKey;
 use crate::sema::common::hidden::By;
@@ -151,10 +151,7 @@ impl Run<'_> {
         self.st.tool.active = Some(own);
         self.core.made_at(span, self.st.tool.length_acts_along_z(self.st.ctx.plane, settings))?;
         let number = settings.tools.printed_number(own);
-        self.core.prints_tool(&ToolKey::Number(own, 0), number, span)?;
-        self.core.send_function(&Function::ToolChange { number }, &self.st.ctx);
-        let cutter = CutterData { number, ..CutterData::default() };
-        self.core.send_function(&Function::Cutter(cutter), &self.st.ctx);
+        self.core.send_tool(&ToolKey::Number(own, 0), number, span, &self.st.ctx)?;
         // The new tool has its tip elsewhere.
         self.st.forget(AxisSet::MAIN);
         self.st.position.leave_start(AxisSet::MAIN);

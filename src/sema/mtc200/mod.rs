@@ -56,8 +56,7 @@ pub use survey::survey;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
-    let mut run = Run::new(job, out, Settled::default());
-    if run::run(&mut run) { run.core.hash() } else { 0 }
+    run::run(&mut Run::new(job, out, Settled::default()))
 }
 
 /// Looks through the program for arcs that decide what their centres count from.

@@ -99,7 +99,7 @@ impl<L: Language> Core<'_, L> {
     }
 
     /// Hash of the text of the main program.
-    pub fn hash(&mut self) -> u64 {
+    pub(super) fn hash(&mut self) -> u64 {
         let sources = self.job.sources;
         self.programs.first_mut().and_then(|main| main.source.cursor.content_hash(sources).ok()).unwrap_or(0)
     }

@@ -125,16 +125,16 @@ pub trait Interpreter<'a> {
     fn finish(&mut self) {}
 }
 
-/// Runs the main program to its end; false if it cannot be opened.
-pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
-    let Some(program) = run.core().open_main() else { return false };
+/// Runs the main program to its end. Returns the hash of its text, 0 where it cannot be opened.
+pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> u64 {
+    let Some(program) = run.core().open_main() else { return 0 };
     let level = run.begin(program);
     run.core().levels.push(level);
     while !run.core().has_ended() {
         step(run);
     }
     run.finish();
-    true
+    run.core().hash()
 }
 
 /// Executes one block.

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use crate::diag::{Answer, Fault, codes};
 use crate::geo::Vec2;
-use crate::ir::function::{CutterData, Spindle, Turn};
+use crate::ir::function::{Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
 use crate::machine::tools::ToolKey;
 use crate::machine::{AxisSet, Compensation, Settings};
@@ -207,10 +207,7 @@ impl Run<'_> {
         let tool = ActiveTool { number, edge, name: self.sections.tool_name(number, edge) };
         self.core.job.calls_tool_in(self.st.unit, self.core.loc(num.span));
         let printed = self.core.made_at(num.span, tool.printed(self.core.job.settings))?;
-        self.core.prints_tool(&ToolKey::Number(number, edge), printed, num.span)?;
-        self.core.send_function(&Function::ToolChange { number: printed }, &self.st.ctx);
-        let cutter = CutterData { number: printed, ..CutterData::default() };
-        self.core.send_function(&Function::Cutter(cutter), &self.st.ctx);
+        self.core.send_tool(&ToolKey::Number(number, edge), printed, num.span, &self.st.ctx)?;
         self.st.tool = Some(tool);
         self.st.forget();
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, self.core.here.origin.loc);
