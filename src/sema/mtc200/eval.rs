@@ -10,8 +10,6 @@ use crate::parser::mtc200::ast::{Block, Formula, Op, Target, Value, Word};
 use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Modulo, Never, Rules, SetBy, Stop, Val, evaluate};
 use crate::text::Span;
 
-use super::readings::Said;
-use super::words::Condition;
 use super::{Core, Outcome, Reported};
 
 /// Variables have three digits.
@@ -25,6 +23,16 @@ const LARGEST: f64 = 1e12;
 
 fn rules(radians: bool) -> Rules {
     Rules { result: LARGEST, radians, cuts_negative: false, modulo: Modulo::Whole, ..Rules::USUAL }
+}
+
+/// What a branch asks of the last result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Condition {
+    Always,
+    Zero,
+    NotZero,
+    NotNegative,
+    Negative,
 }
 
 /// The NC variables, and the result of the last assignment, which branches look at.
@@ -73,7 +81,6 @@ impl Variables {
 pub(super) struct Computing<'r, 'a> {
     pub core: &'r Core<'a>,
     pub variables: &'r mut Variables,
-    pub said: &'r mut Said,
 }
 
 impl Formulas for Computing<'_, '_> {
@@ -92,7 +99,7 @@ impl Formulas for Computing<'_, '_> {
             Op::Unary(f) => {
                 use Function::{Acos, Asin, Atan, Cos, Sin, Tan};
                 if matches!(f, Sin | Cos | Tan | Asin | Acos | Atan) {
-                    self.said.reading(self.core, Reading::Degrees, at.span, codes::P8106::angles_count_in_degrees);
+                    self.core.reading(Reading::Degrees, at.span, codes::P8106::angles_count_in_degrees);
                 }
                 machine.unary(f)?
             }

@@ -182,7 +182,7 @@ impl Run<'_> {
             (true, None) => return self.core.refuse(span, codes::P1004::jmp_and_jsr_name_program()),
             (false, _) => None,
         };
-        self.said.flow_reading(&self.core, flow, span);
+        self.core.flow_reading(flow, span);
         match (flow, word.label, program) {
             (Flow::Return, ..) => self.end_of_program(true, span),
             (Flow::ProgramEnd, ..) => self.end_of_program(false, span),
@@ -213,7 +213,7 @@ impl Run<'_> {
             }
             (Flow::Reverse, Some(label), _) => {
                 self.core.find(label, span)?;
-                self.said.without_geometry(&self.core, "REV", span);
+                self.core.without_geometry("REV", span);
                 Ok(())
             }
             (Flow::JumpProgram | Flow::CallProgram, _, Some(number)) => {

@@ -7,7 +7,6 @@ use crate::diag::{Answer, codes};
 use crate::machine::Axis;
 use crate::text::{Loc, Span};
 
-use super::readings::Said;
 use super::{Core, Outcome, Reported};
 
 /// What positions along the tool axis belong to.
@@ -62,24 +61,23 @@ impl Length {
     }
 }
 
-impl Said {
+impl Core<'_> {
     /// D or E chooses another length than that of the tool.
     #[cold]
-    pub fn length_is_another(&mut self, core: &Core<'_>, letter: char, span: Span) {
-        if self.is_first(&format!("length of {letter}")) {
-            core.say(
-                span,
-                if letter == 'D' {
-                    codes::M8007::correction_counts_in_length()
-                } else {
-                    codes::M8007::edge_has_lengths_of_its_own()
-                },
-            );
+    pub(super) fn length_is_another(&self, letter: char, span: Span) {
+        if !self.job.diags.first_time(codes::M8007, letter) {
+            return;
         }
+        self.say(
+            span,
+            if letter == 'D' {
+                codes::M8007::correction_counts_in_length()
+            } else {
+                codes::M8007::edge_has_lengths_of_its_own()
+            },
+        );
     }
-}
 
-impl Core<'_> {
     #[cold]
     fn nose_moved(&self, axis: Axis, loc: Loc, why: &str) -> Outcome {
         let letter = axis.letter();

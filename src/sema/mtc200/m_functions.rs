@@ -105,7 +105,7 @@ impl Run<'_> {
         let function = match number {
             2 | 30 => return self.end_of_program(number == 30, span),
             6 if self.core.job.settings.control.mtc200.t_changes => {
-                self.said.without_geometry(&self.core, "M6", span);
+                self.core.without_geometry("M6", span);
                 return Ok(());
             }
             6 => return self.change(span),

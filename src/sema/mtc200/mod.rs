@@ -48,7 +48,6 @@ use flow::{Frame, Labels};
 use g_functions::{G, Group, Motion};
 use header::Header;
 use path::{feed_word, roles};
-use readings::Said;
 use state::State;
 use words::{AxisNames, ToolData, Words, Written};
 
@@ -123,7 +122,6 @@ struct Run<'a> {
     axis_names: AxisNames,
     variables: Variables,
     settled: Settled,
-    said: Said,
     words: Option<Box<Words>>,
 }
 
@@ -135,7 +133,6 @@ impl<'a> Run<'a> {
             axis_names: AxisNames::new(job.settings.machine.geometry_axes),
             variables: Variables::new(job.settings),
             settled,
-            said: Said::new(&job.settings.control.mtc200.confirmed),
             words: None,
         }
     }
@@ -212,8 +209,8 @@ fn g_functions_of(block: &Block) -> impl Iterator<Item = G> {
 
 impl Run<'_> {
     fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let Run { core, variables, said, .. } = self;
-        if (Computing { core, variables, said }).assignments(block)? {
+        let Run { core, variables, .. } = self;
+        if (Computing { core, variables }).assignments(block)? {
             return self.count_between();
         }
         let w = self.gather(block, text)?;
@@ -227,8 +224,8 @@ impl Run<'_> {
         let mut w = self.words.take().unwrap_or_default();
         w.clear();
         let sorted = block.words.iter().try_for_each(|word| {
-            let Run { core, variables, said, axis_names: axes, .. } = self;
-            match w.sort_in(word, Written { block, text, axes }, &mut Computing { core, variables, said })? {
+            let Run { core, variables, axis_names: axes, .. } = self;
+            match w.sort_in(word, Written { block, text, axes }, &mut Computing { core, variables })? {
                 None => Ok(()),
                 Some(data) => {
                     self.choose_tool_data(&data)?;
@@ -237,7 +234,7 @@ impl Run<'_> {
             }
         });
         if !w.strange.is_empty() {
-            self.said.settle_strange(&self.core, &mut w);
+            self.core.settle_strange(&mut w);
         }
         sorted.map(|()| w)
     }
@@ -247,9 +244,9 @@ impl Run<'_> {
     fn choose_tool_data(&mut self, data: &ToolData) -> Outcome {
         let span = data.at.span;
         if self.st.tool.choose(data) && self.st.length.counts() {
-            self.said.length_is_another(&self.core, data.letter, span);
+            self.core.length_is_another(data.letter, span);
         } else {
-            self.said.without_geometry(&self.core, if data.letter == 'D' { "D" } else { "E" }, span);
+            self.core.without_geometry(if data.letter == 'D' { "D" } else { "E" }, span);
         }
         let computed = self.core.job.settings.output.compensation == Compensation::Resolve;
         if computed && self.st.compensation.is_on() {
@@ -262,7 +259,7 @@ impl Run<'_> {
     #[inline]
     fn act_on(&mut self, w: &Words) -> Outcome {
         self.core.check_m(w)?;
-        self.said.m_reading(&self.core, w);
+        self.core.m_reading(w);
         let once = w.g[Group::Once as usize].map(|(g, _)| g);
         let ends = w.m().iter().any(|(number, _)| matches!(number, 2 | 30));
         if let (true, Some(flow)) = (ends, w.flow) {
@@ -312,7 +309,7 @@ impl Run<'_> {
     fn values(&mut self, w: &Words, limit: bool) -> Outcome {
         let settings = self.core.job.settings;
         if let Some(at) = w.feed {
-            self.said.relies_on_the_start(&self.core, self.st.feed_said, at.span);
+            self.core.relies_on_the_start(&mut self.st.feed_said, at.span);
             let zero_keeps = settings.control.mtc200.zero_feed_keeps;
             let feed = feed_word(&self.st.feed, at, self.st.dimensions.unit(), zero_keeps);
             if let Some(feed) = self.core.made(feed)? {
@@ -339,7 +336,7 @@ impl Run<'_> {
     #[cold]
     fn dwell(&mut self, w: &Words) -> Outcome {
         let at = self.core.made(w.dwell_time())?;
-        self.said.reading(&self.core, Reading::Dwell, at.span, codes::P8106::f_of_g04_counts_in_seconds);
+        self.core.reading(Reading::Dwell, at.span, codes::P8106::f_of_g04_counts_in_seconds);
         let unit = if self.core.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };
         self.core.send_function(&Function::Dwell(at.value * unit), &self.st.ctx);
         self.count_between()
@@ -372,7 +369,7 @@ impl Run<'_> {
             G::Diameter(on) => {
                 self.st.dimensions.diameter = on;
                 let what = codes::P8106::g16_switches_diameters_on;
-                self.said.reading(&self.core, Reading::DiameterCodes, span, what);
+                self.core.reading(Reading::DiameterCodes, span, what);
             }
             G::Inch(on) => self.st.dimensions.inch = on,
             G::Smooth if self.st.exact_stop => {
@@ -387,15 +384,15 @@ impl Run<'_> {
             G::Chamfers(on) => {
                 (self.st.transition.chamfers, self.st.transition.said) = (on, true);
                 if self.core.job.settings.output.compensation == Compensation::Control {
-                    self.said.without_geometry(&self.core, &format!("G{number}"), span);
+                    self.core.without_geometry(&format!("G{number}"), span);
                 }
             }
             G::Length(on) => {
-                if self.said.is_first("G48") {
+                if self.core.job.diags.first_time(codes::M8002, ()) {
                     self.core.say(span, codes::M8002::has_no_word_in_output(&format_args!("G{number}")));
                 }
                 for letter in self.st.tool.chosen().filter(|_| on) {
-                    self.said.length_is_another(&self.core, letter, span);
+                    self.core.length_is_another(letter, span);
                 }
                 let [_, _, axis] = roles(self.st.ctx.plane);
                 return self.st.length.switch(on, axis, &self.core);
@@ -408,7 +405,7 @@ impl Run<'_> {
             G::ConstantSpeed(on) => {
                 return self.core.made_at(span, spindle::count(&mut self.st.spindle, on, w));
             }
-            G::Smooth | G::Nothing => self.said.without_geometry(&self.core, &format!("G{number}"), span),
+            G::Smooth | G::Nothing => self.core.without_geometry(&format!("G{number}"), span),
             G::Dwell | G::ShiftTo | G::ShiftBy | G::Name | G::Home | G::SpeedLimit => {}
         }
         Ok(())
@@ -446,7 +443,7 @@ impl Run<'_> {
                 let says = w.g.iter().flatten().any(|(g, _)| matches!(g, G::Chamfers(_)));
                 if !(says || self.st.transition.said) {
                     let what = codes::P8106::g43_is_in_force_at_start;
-                    self.said.reading(&self.core, Reading::Transition, span, what);
+                    self.core.reading(Reading::Transition, span, what);
                 }
             }
         }

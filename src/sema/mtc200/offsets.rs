@@ -184,7 +184,7 @@ impl Run<'_> {
         }
         match (g, self.core.job.settings.control.mtc200.g52) {
             (G::ShiftTo, _) if self.st.offsets.added => {
-                self.said.reading(&self.core, Reading::G50, span, codes::P8106::g50_replaces_everything);
+                self.core.reading(Reading::G50, span, codes::P8106::g50_replaces_everything);
             }
             (G::Name, G52::Refuse) => {
                 let asking = codes::M9006::meaning_of_g52_is_not_known();

@@ -182,7 +182,7 @@ impl Run<'_> {
         let settings = &self.core.job.settings.control.mtc200;
         let mut end = Pos::UNKNOWN;
         if !w.axes.known().is_empty() {
-            self.said.relies_on_the_start(&self.core, self.st.dimensions.said, w.axes_span);
+            self.core.relies_on_the_start(&mut self.st.dimensions.said, w.axes_span);
         }
         for (axis, value) in w.axes.iter() {
             let length = self.core.made_at(w.axes_span, self.st.dimensions.length(axis, value))?;
@@ -308,7 +308,7 @@ impl Run<'_> {
         }
         if end.known().contains(third) {
             self.core.stands(&self.st.position, third, span)?;
-            self.said.reading(&self.core, Reading::Helix, span, codes::P8106::third_axis_moves_evenly);
+            self.core.reading(Reading::Helix, span, codes::P8106::third_axis_moves_evenly);
         }
         let to = Point2::new(end.get(first).unwrap_or(start.x), end.get(second).unwrap_or(start.y));
         let (ccw, tol) = (motion == Motion::CounterClockwise, settings.circle_tolerance);
@@ -318,7 +318,7 @@ impl Run<'_> {
             }
             Some(at) if at.value == 0.0 => return self.core.refuse(at.span, codes::P3002::radius_of_arc_is_0()),
             Some(at) => {
-                self.said.reading(&self.core, Reading::ArcRadius, at.span, codes::P8106::r_is_true_radius);
+                self.core.reading(Reading::ArcRadius, at.span, codes::P8106::r_is_true_radius);
                 ArcShape::Radius { radius: at.value * dimensions.unit(), ccw, tol }
             }
             None => {
@@ -357,7 +357,7 @@ impl Run<'_> {
         }
         if travel.iter().filter(|way| **way > SAME_POINT).count() > 1 {
             let what = codes::P8106::lead_of_taper_counts_along_longer;
-            self.said.reading(&self.core, Reading::ThreadTaper, w.centre_span, what);
+            self.core.reading(Reading::ThreadTaper, w.centre_span, what);
         }
         self.st.corners.cannot_follow();
         self.send(end, Path::Thread(Thread { lead, along: Some(along) }));

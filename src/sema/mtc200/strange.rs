@@ -6,7 +6,6 @@ use crate::text::Span;
 
 use super::Core;
 use super::g_functions::Group;
-use super::readings::Said;
 use super::reserved::{reserved, reserved_m};
 use super::words::{Strange, Words};
 
@@ -20,21 +19,21 @@ impl Words {
     }
 }
 
-impl Said {
+impl Core<'_> {
     /// The words of the machine of a block, when all its words are known.
     #[cold]
-    pub(super) fn settle_strange(&mut self, core: &Core<'_>, w: &mut Words) {
+    pub(super) fn settle_strange(&self, w: &mut Words) {
         let loose = w.has_loose_words();
         for word in std::mem::take(&mut w.strange) {
-            if loose || !self.declared(core, w, &word.name, word.span) {
-                core.refuse_strange(&word, loose);
+            if loose || !self.declares(w, &word.name, word.span) {
+                self.refuse_strange(&word, loose);
             }
         }
     }
 
     /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
-    pub(super) fn declared(&mut self, core: &Core<'_>, w: &mut Words, name: &str, span: Span) -> bool {
-        let Some(printed) = core.job.settings.control.mtc200.machine_words.get(name) else { return false };
+    pub(super) fn declares(&self, w: &mut Words, name: &str, span: Span) -> bool {
+        let Some(printed) = self.job.settings.control.mtc200.machine_words.get(name) else { return false };
         if reserved(name).is_some() {
             // The entry is refused at the top of the program.
             return false;
@@ -43,14 +42,12 @@ impl Said {
             // The entry is refused at the top of the program.
             Some(number) if reserved_m(number).is_some() => {}
             Some(number) => w.print_m(number, span),
-            None if self.is_first(name) => core.say(span, codes::M2702::is_left_out(&name)),
+            None if self.job.diags.first_time(codes::M2702, name) => self.say(span, codes::M2702::is_left_out(&name)),
             None => {}
         }
         true
     }
-}
 
-impl Core<'_> {
     fn refuse_strange(&self, word: &Strange, loose: bool) {
         let Strange { name, span, .. } = word;
         let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");

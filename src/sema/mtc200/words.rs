@@ -8,7 +8,7 @@ use crate::parser::symbols::Symbol;
 use crate::sema::run::refusal::{Made, refused};
 use crate::text::{Span, decode::readable};
 
-use super::eval::Computing;
+use super::eval::{Computing, Condition};
 use super::g_functions::{self, G, GROUPS, Group, Motion};
 use super::{Core, Outcome};
 
@@ -38,15 +38,6 @@ pub(super) enum Flow {
     JumpProgram,
     CallProgram,
     Reverse,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Condition {
-    Always,
-    Zero,
-    NotZero,
-    NotNegative,
-    Negative,
 }
 
 impl Flow {
@@ -262,9 +253,7 @@ impl Words {
     #[inline]
     fn sort_g(&mut self, at: At, from: &mut Computing<'_, '_>) -> Outcome {
         let number = from.core.made(at.whole("G"))?;
-        if matches!(number, 6..=9 | 47 | 48 | 61 | 62)
-            && from.said.declared(from.core, self, &format!("G{number}"), at.span)
-        {
+        if matches!(number, 6..=9 | 47 | 48 | 61 | 62) && from.core.declares(self, &format!("G{number}"), at.span) {
             return Ok(());
         }
         let Some((group, g)) = g_functions::entry(number) else {
@@ -298,7 +287,7 @@ impl Words {
     fn sort_m(&mut self, at: At, from: &mut Computing<'_, '_>) -> Outcome {
         let number = from.core.made(at.whole("M"))?;
         if !from.core.job.settings.control.mtc200.machine_words.is_empty()
-            && from.said.declared(from.core, self, &format!("M{number}"), at.span)
+            && from.core.declares(self, &format!("M{number}"), at.span)
         {
             return Ok(());
         }
@@ -346,7 +335,7 @@ impl Words {
                 if self.silent[2].replace(At { value, span: word.span }).is_some() {
                     return core.refuse(word.span, codes::P1002::acc_stands_twice_in_this_block());
                 }
-                from.said.without_geometry(core, "ACC", word.span);
+                core.without_geometry("ACC", word.span);
             }
             name => match flow_word(name) {
                 Some(flow) => return core.made(self.sort_flow(flow, word, written.text)),

@@ -20,6 +20,7 @@ use crate::text::decode::readable;
 use super::blank::Blank;
 use super::cycles::Row;
 use super::eval::Computing;
+use super::frames::ShiftOf;
 use super::g_functions::{Function, Kind, find};
 use super::geometry::Line;
 use super::m_functions::check_m;
@@ -147,7 +148,7 @@ impl Run<'_> {
             Kind::CompensationOff => return self.compensation(Side::None, fun),
             Kind::CompensationLeft => return self.compensation(Side::Left, fun),
             Kind::CompensationRight => return self.compensation(Side::Right, fun),
-            Kind::ShiftRelative | Kind::ShiftAdditive | Kind::ShiftAbsolute => return self.shift(kind, w),
+            Kind::Shift(of) => return self.shift(of, w),
             Kind::Clearance => {
                 let clearance = w.get(b'P').map(|num| num.above_zero(mm, "the clearance")).transpose();
                 self.st.clearance = self.core.made(clearance)?;
@@ -192,7 +193,7 @@ impl Run<'_> {
     }
 
     /// G51, G56, G59: the workpiece zero moves, the tool stays where it is.
-    fn shift(&mut self, kind: Kind, w: &Words) -> Outcome {
+    fn shift(&mut self, kind: ShiftOf, w: &Words) -> Outcome {
         let z = self.core.made(w.shift(kind, self.st.mm()))?;
         if self.st.compensation.is_on() && self.core.job.settings.output.compensation == Compensation::Resolve {
             let fault = codes::T2021::workpiece_zero_shifts_under_nose_radius_compensation();
@@ -206,7 +207,7 @@ impl Run<'_> {
             None
         };
         let shift = self.core.made_at(Where::Block, self.st.shift.after(kind, z, counted))?;
-        if kind == Kind::ShiftAbsolute {
+        if kind == ShiftOf::Absolute {
             if self.st.shift.base.is_none() {
                 let fault = codes::T2015::coordinates_count_from_workpiece_zero_of_g59(&z);
                 self.core.job.diags.push_once(fault.at(self.core.here.origin.loc));

@@ -13,8 +13,18 @@ use crate::sema::run::Where;
 use crate::sema::run::refusal::{Made, refused};
 
 use super::chain::Coord;
-use super::g_functions::Kind;
 use super::words::Words;
+
+/// What a shift counts from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ShiftOf {
+    /// G51.
+    Relative,
+    /// G56.
+    Additive,
+    /// G59.
+    Absolute,
+}
 
 /// Shifts of the workpiece zero along Z in mm.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -36,10 +46,10 @@ impl Shift {
     }
 
     /// The shifts behind G51, G56 or G59 with this Z. `counted`: why the workpiece zero may not move under what counts from it.
-    pub fn after(self, kind: Kind, z: f64, counted: Option<fn() -> Fault>) -> Result<Shift, Fault> {
+    pub fn after(self, kind: ShiftOf, z: f64, counted: Option<fn() -> Fault>) -> Result<Shift, Fault> {
         match (kind, self.base, counted) {
-            (Kind::ShiftRelative, ..) => Ok(Shift { relative: z, ..self }),
-            (Kind::ShiftAdditive, ..) => Ok(Shift { additive: self.additive + z, ..self }),
+            (ShiftOf::Relative, ..) => Ok(Shift { relative: z, ..self }),
+            (ShiftOf::Additive, ..) => Ok(Shift { additive: self.additive + z, ..self }),
             (_, None, Some(fault)) => Err(fault()),
             _ => Ok(Shift { base: self.base.or(Some(z)), absolute: Some(z), ..self }),
         }
@@ -59,13 +69,13 @@ impl Shift {
 
 impl Words {
     /// Z of a shift in mm.
-    pub(super) fn shift(&self, kind: Kind, mm: f64) -> Made<f64> {
+    pub(super) fn shift(&self, kind: ShiftOf, mm: f64) -> Made<f64> {
         if let Some(num) = self.get(b'X').filter(|num| num.value != 0.0 || num.unknown || num.incremental) {
             return refused(num.span, codes::T2016::zero_shift_in_x_is_not_supported());
         }
         match self.coord(Axis::Z, mm) {
             Coord::At(z) => Ok(z),
-            Coord::Stay if kind != Kind::ShiftAbsolute => Ok(0.0),
+            Coord::Stay if kind != ShiftOf::Absolute => Ok(0.0),
             _ => refused(Where::Block, codes::P1004::shift_needs_absolute_z()),
         }
     }

@@ -2,8 +2,10 @@
 
 use std::rc::Rc;
 
+use crate::diag::{Fault, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{Ctx, CtxRef};
+use crate::ir::cycle::recess::RecessTool;
 use crate::machine::{AxisSet, Settings, Unit};
 use crate::sema::common::compensation::Compensation;
 use crate::sema::common::feed::ModalFeed;
@@ -16,7 +18,8 @@ use super::chain::Solved;
 use super::element_data::Transition;
 use super::frames::Shift;
 use super::stock::Stock;
-use super::technology::{ActiveTool, Oversize};
+use super::technology::Oversize;
+use super::tool_facts::ActiveTool;
 
 /// Everything that one block leaves to the next. Positions are millimetres, X is a radius.
 #[derive(Debug)]
@@ -91,6 +94,12 @@ impl State {
     /// Millimetres in a unit of the program.
     pub fn mm(&self) -> f64 {
         self.unit.mm()
+    }
+
+    /// The tool in the cutting position as a recessing tool, and whether it cuts radially.
+    pub fn recess_tool(&self, settings: &Settings) -> Result<(RecessTool, bool), Fault> {
+        let missing = codes::P2004::no_tool_is_in_cutting_position;
+        self.tool.as_ref().ok_or_else(missing).and_then(|tool| tool.recess_tool(settings))
     }
 
     /// Where the tool stands, as (Z, X).

@@ -17,7 +17,7 @@ use crate::text::{Span, decode::readable};
 
 use super::readings::Question;
 use super::spindle::order;
-use super::state::State;
+use super::tool_facts::ActiveTool;
 use super::words::{Fun, Num, Words};
 use super::{Core, Outcome, Run};
 
@@ -112,37 +112,9 @@ impl Num {
     }
 }
 
-/// The tool in the cutting position.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct ActiveTool {
-    pub number: u32,
-    /// Its edge: 0 for the only one.
-    pub edge: u8,
-    /// Its name of the turret section.
-    pub name: Option<String>,
-}
-
-impl ActiveTool {
-    /// The number that it is printed by.
-    fn printed(&self, settings: &Settings) -> Result<u32, Fault> {
-        let ActiveTool { number, edge, name } = self;
-        let tools = &settings.tools;
-        let known = match tools.by_number(*number, *edge) {
-            Some(tool) => tool.number,
-            None => name.as_deref().and_then(|name| tools.by_name(name)).and_then(|(own, tool)| own.or(tool.number)),
-        };
-        match known {
-            Some(printed) => Ok(printed),
-            None if *edge == 0 => Ok(*number),
-            None => Err(codes::T2007::edge_of_tool_has_no_tool_number(edge, number)
-                .answer(Answer::tool(format!("{number}.{edge}"), "number"))),
-        }
-    }
-}
-
 /// How the compiler itself computes the path of the nose centre, for the function of this number.
-fn rules(st: &State, number: u16, settings: &Settings) -> Result<ir::Compensation, Fault> {
-    let what = match nose_of(st.known_tool(settings)) {
+fn rules(tool: Option<&ActiveTool>, number: u16, settings: &Settings) -> Result<ir::Compensation, Fault> {
+    let what = match nose_of(tool.and_then(|tool| tool.known(settings))) {
         (Some(radius), Some(edge)) if radius >= 0.0 => return Ok(rules_of_nose(radius, edge)),
         (Some(0.0), None) => return Ok(rules_of_nose(0.0, Vec2::zeros())),
         (Some(radius), _) if radius < 0.0 => "the nose radius of the tool is below zero",
@@ -185,7 +157,7 @@ impl Run<'_> {
             }
             let settings = self.core.job.settings;
             if settings.output.compensation == Compensation::Resolve {
-                let rules = self.core.made_at(fun.span, rules(&self.st, fun.number, settings))?;
+                let rules = self.core.made_at(fun.span, rules(self.st.tool.as_ref(), fun.number, settings))?;
                 if rules.radius > 0.0 {
                     self.core.depends_on(Question::NosePath, fun.span);
                 }

@@ -84,7 +84,7 @@ impl CycleCall<'_> {
 
     /// What partc.toml says of the tool in the cutting position.
     pub(super) fn known_tool(&self) -> Option<&Tool> {
-        self.st.modal.known_tool(self.settings)
+        self.st.modal.tool.as_ref()?.known(self.settings)
     }
 
     /// The call depends on `question`: the first one of the program says so.
