@@ -7,6 +7,7 @@ use crate::ir::compensation::FeedAt;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
 use crate::machine::Unit;
+use crate::sema::common::m_functions::end_last;
 use crate::text::Span;
 
 use super::active_tool::Change;
@@ -136,14 +137,9 @@ impl Run<'_> {
 
     /// Those that act at the end of the block, in their order.
     pub(super) fn these_at_end(&mut self, functions: &[MWord]) -> Outcome {
-        // The end of the program comes last, wherever it stands in the block.
-        for last in [false, true] {
-            for m in functions {
-                if let Some((act, When::End)) = entry(m.number)
-                    && matches!(act, Act::ProgramEnd { .. }) == last
-                {
-                    self.act(act, m)?;
-                }
+        for m in end_last(functions, |m| matches!(entry(m.number), Some((Act::ProgramEnd { .. }, _)))) {
+            if let Some((act, When::End)) = entry(m.number) {
+                self.act(act, &m)?;
             }
         }
         Ok(())

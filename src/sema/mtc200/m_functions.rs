@@ -15,18 +15,13 @@ use crate::text::Span;
 use super::words::{At, Words};
 use super::{Core, Outcome, Run};
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum When {
-    Start,
-    End,
-}
-
-fn when(number: u32) -> Option<When> {
-    Some(match number {
-        3 | 4 | 6 | 7 | 8 | 13 | 14 | 19 => When::Start,
-        0 | 1 | 2 | 5 | 9 | 30 => When::End,
-        _ => return None,
-    })
+/// Does a function that is known act before the move of its block?
+fn acts_before(number: u32) -> Option<bool> {
+    match number {
+        3 | 4 | 6 | 7 | 8 | 13 | 14 | 19 => Some(true),
+        0 | 1 | 2 | 5 | 9 | 30 => Some(false),
+        _ => None,
+    }
 }
 
 /// Functions of one group contradict each other.
@@ -49,7 +44,7 @@ impl Core<'_> {
     #[inline]
     pub(super) fn check_m(&self, w: &Words) -> Outcome {
         for (i, &(number, span)) in w.m().iter().enumerate() {
-            if when(number).is_none() && !self.job.settings.output.pass_m.contains(&number) {
+            if acts_before(number).is_none() && !self.job.settings.output.pass_m.contains(&number) {
                 self.say(
                     span,
                     codes::P2007::m_is_function_of_machine_so_if_target(&number).answer(Answer::pass_m(number)),
@@ -67,11 +62,10 @@ impl Run<'_> {
     #[inline]
     pub(super) fn m_at_start(&mut self, w: &Words, moves: bool) -> Outcome {
         for &(number, span) in w.m() {
-            match when(number) {
-                Some(When::Start) => self.act(number, span)?,
-                Some(When::End) => {}
+            match acts_before(number) {
+                Some(true) => self.act(number, span)?,
                 None if self.core.job.settings.output.pass_m.contains(&number) => self.aux(number, span, moves),
-                None => {}
+                Some(false) | None => {}
             }
         }
         for &(number, span) in w.aux() {
@@ -94,7 +88,7 @@ impl Run<'_> {
     pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
         // Behind the end of the program nothing is done any more.
         for (number, span) in end_last(w.m(), |(number, _)| matches!(number, 2 | 30)) {
-            if when(number) == Some(When::End) {
+            if acts_before(number) == Some(false) {
                 self.act(number, span)?;
             }
         }

@@ -94,24 +94,12 @@ pub(super) struct Words {
 }
 
 impl Words {
+    /// Room for the next block.
     pub fn clear(&mut self) {
-        self.g = [None; GROUPS];
-        self.axes.clear();
-        self.axes_span = Span::default();
-        self.centre = [None; 3];
-        self.centre_span = Span::default();
-        self.radius = None;
-        self.feed = None;
-        self.speed = None;
-        self.tool = None;
-        self.program = None;
-        self.chamfer = None;
-        self.rounding = None;
-        self.flow = None;
-        self.silent = [None; 3];
-        self.m.clear();
-        self.aux.clear();
-        self.strange.clear();
+        let [mut m, mut aux] = [std::mem::take(&mut self.m), std::mem::take(&mut self.aux)];
+        m.clear();
+        aux.clear();
+        *self = Words { m, aux, ..Words::default() };
     }
 
     pub(super) fn print_m(&mut self, number: u32, span: Span) {

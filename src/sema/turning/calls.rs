@@ -25,7 +25,7 @@ use super::{Core, Outcome, Reported, Run, Turning};
 const DEEPEST: usize = 6;
 
 /// What a program or subprogram that is running holds.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Frame {
     pub kind: LevelKind,
     pub locals: Locals,
@@ -38,27 +38,19 @@ pub(super) struct Frame {
     part: ProgramPart,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum LevelKind {
+    #[default]
     Main,
     /// A section of the caller's file.
-    Local {
-        at: u32,
-    },
+    Local { at: u32 },
     /// A file of its own.
     External,
 }
 
 impl Frame {
     pub fn main() -> Frame {
-        Frame {
-            kind: LevelKind::Main,
-            locals: Locals::default(),
-            nests: Vec::new(),
-            number: 1,
-            begun: false,
-            part: ProgramPart::Start,
-        }
+        Frame { number: 1, ..Frame::default() }
     }
 
     /// The innermost structure that is open.
@@ -192,7 +184,7 @@ impl Run<'_> {
         }
         let number = self.vars.next_level();
         let part = std::mem::replace(&mut self.sections.part, ProgramPart::Machining);
-        let frame = Frame { kind, locals: called.arguments, nests: Vec::new(), number, begun: false, part };
+        let frame = Frame { kind, locals: called.arguments, number, part, ..Frame::default() };
         self.core.enter_within(DEEPEST, codes::P4003::subprograms_are_nested_deeper, (program, to), frame)
     }
 

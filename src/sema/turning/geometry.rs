@@ -155,10 +155,9 @@ impl Geometry {
                 core.made(start(w, measure.mm, builder))
             }
             1 => core.element(w, None, measure, mark, builder),
-            2 => core.element(w, Some((false, false)), measure, mark, builder),
-            3 => core.element(w, Some((true, false)), measure, mark, builder),
-            12 => core.element(w, Some((false, true)), measure, mark, builder),
-            13 => core.element(w, Some((true, true)), measure, mark, builder),
+            number @ (2 | 3 | 12 | 13) => {
+                core.element(w, Some((matches!(number, 3 | 13), number > 10)), measure, mark, builder)
+            }
             22 => core.standard_recess(w, measure.mm, mark, builder),
             23 => core.general_recess(w, measure.mm, mark, builder),
             25 => core.undercut(w, measure.mm, mark, builder),

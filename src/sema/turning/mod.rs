@@ -199,12 +199,12 @@ impl Run<'_> {
             return Ok(());
         }
         if self.sections.part == ProgramPart::Names && !is_section {
-            return self.core.made(self.sections.names_line());
+            return self.core.names_line();
         }
         let here = if let Stmt::Slide(number) = block.stmt { Some(number) } else { None };
         if let Some(slide) = [block.slide, here].into_iter().flatten().find(|slide| *slide != 1) {
             self.lose_all();
-            return self.core.made(self.sections.other_slide(slide));
+            return self.core.other_slide(slide);
         }
         match block.stmt {
             Stmt::Empty | Stmt::Slide(_) => {}

@@ -10,9 +10,10 @@ pub(super) enum Family {
 }
 
 /// What the blocks are read as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum ProgramPart {
     /// No section yet: blocks are executed.
+    #[default]
     Start,
     Head,
     Turret,

@@ -8,7 +8,7 @@ use crate::machine::{Settings, Unit};
 use crate::parser::turning::ast::{Block, Section, Stmt, Value};
 use crate::parser::turning::parse_block;
 use crate::sema::run::Where;
-use crate::sema::run::refusal::{Made, Refusal, refused};
+use crate::sema::run::refusal::{Made, refused};
 use crate::text::{Loc, Span, decode::readable};
 
 use super::calls::LevelKind;
@@ -17,7 +17,7 @@ use super::words::{Words, letters};
 use super::{Core, Outcome, Reported, Run};
 
 /// The sections met so far.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Sections {
     configured: Option<Family>,
     family: Option<Family>,
@@ -30,9 +30,6 @@ pub(super) struct Sections {
     framed: bool,
     /// The section of a subprogram is being passed.
     passing: bool,
-    /// That another slide moves, and that names are not read, was said.
-    slide_said: bool,
-    names_said: bool,
 }
 
 impl Sections {
@@ -42,18 +39,7 @@ impl Sections {
             "" => None,
             _ => Some(Family::DinPlus),
         };
-        Sections {
-            configured,
-            family: configured,
-            part: ProgramPart::Start,
-            tools: Vec::new(),
-            unit_said: false,
-            unit_open: false,
-            framed: false,
-            passing: false,
-            slide_said: false,
-            names_said: false,
-        }
+        Sections { configured, family: configured, ..Sections::default() }
     }
 
     /// The family; a program without sections is one of the 4110.
@@ -137,22 +123,6 @@ impl Sections {
         }
     }
 
-    /// A block for another slide than the first: said once.
-    pub fn other_slide<T>(&mut self, number: u32) -> Made<T> {
-        if std::mem::replace(&mut self.slide_said, true) {
-            return Err(Refusal::Known);
-        }
-        refused(Where::Block, codes::T2022::block_is_for_slide(&number))
-    }
-
-    /// A line of the sections CONST and VAR: said once.
-    pub fn names_line(&mut self) -> Made {
-        if std::mem::replace(&mut self.names_said, true) {
-            return Err(Refusal::Known);
-        }
-        refused(Where::Block, codes::T9002::names_of_constants())
-    }
-
     /// `UNIT` and `END_OF_UNIT`: the blocks between stand there in full. What is wrong with it.
     pub fn unit(&mut self, opens: bool) -> Option<Fault> {
         let odd = std::mem::replace(&mut self.unit_open, opens) == opens;
@@ -215,6 +185,22 @@ fn one_part(rest: &[u8]) -> Result<(), Fault> {
 }
 
 impl Core<'_> {
+    /// A block for another slide than the first: said once.
+    pub(super) fn other_slide(&self, number: u32) -> Outcome {
+        if self.job.diags.first_time(codes::T2022, ()) {
+            self.say(Where::Block, codes::T2022::block_is_for_slide(&number));
+        }
+        Err(Reported)
+    }
+
+    /// A line of the sections CONST and VAR: said once.
+    pub(super) fn names_line(&self) -> Outcome {
+        if self.job.diags.first_time(codes::T9002, ()) {
+            self.say(Where::Block, codes::T9002::names_of_constants());
+        }
+        Err(Reported)
+    }
+
     /// Warns about blocks behind END; local subprograms may stand there.
     fn look_behind_end(&mut self) {
         let (mut block, mut ignored) = (Block::default(), Vec::new());

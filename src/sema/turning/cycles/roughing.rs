@@ -185,10 +185,7 @@ impl CycleCall<'_> {
             Some((Oversize::Paraxial { x, z }, _)) if into != Towards::PlusX && x >= 0.0 && z >= 0.0 => {
                 Ok(Vec2::new(z, x / 2.0))
             }
-            Some((_, place)) => {
-                let fault = codes::T9007::oversize_does_not_fit_cycle();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
-            }
+            Some((_, place)) => self.no_oversize(place, codes::T9007::oversize_does_not_fit_cycle()),
         }
     }
 
@@ -302,10 +299,7 @@ impl CycleCall<'_> {
         match self.st.modal.oversize {
             None => Ok(Vec2::zeros()),
             Some((Oversize::Paraxial { x, z }, _)) if x >= 0.0 && z >= 0.0 => Ok(Vec2::new(z, x / 2.0)),
-            Some((_, place)) => {
-                let fault = codes::T9007::equidistant_or_negative_oversize();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
-            }
+            Some((_, place)) => self.no_oversize(place, codes::T9007::equidistant_or_negative_oversize()),
         }
     }
 
