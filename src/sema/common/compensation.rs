@@ -1,7 +1,11 @@
 //! The side on which the radius of the tool is compensated.
 
+use std::rc::Rc;
+
 use crate::geo::Vec2;
-use crate::ir::Side;
+use crate::ir::contour::{Ctx, CtxRef};
+use crate::ir::{self, Side};
+use crate::machine::Tool;
 
 /// Where the edge in this cutting-edge position points to, as (Z, X); nowhere in position 9, whose programmed point is the
 /// centre of the nose.
@@ -19,6 +23,24 @@ pub fn edge_direction(position: u8) -> Option<Vec2> {
         _ => return None,
     };
     Some(Vec2::new(z, x))
+}
+
+/// Radius of a cutter or a nose with its oversize in the table, and where its edge points to, as far as either is known.
+pub fn nose_of(tool: Option<&Tool>) -> (Option<f64>, Option<Vec2>) {
+    let radius = tool.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
+    (radius, tool.and_then(|tool| tool.orientation).and_then(edge_direction))
+}
+
+/// The rules of a nose of this radius whose tip is programmed.
+pub fn rules_of_nose(radius: f64, edge: Vec2) -> ir::Compensation {
+    ir::Compensation { radius, nose: -edge * radius, ..Default::default() }
+}
+
+/// The compiler compensates by `rules` from here on.
+pub fn compensate(ctx: &mut CtxRef, rules: ir::Compensation) {
+    if ctx.compensation.as_deref() != Some(&rules) {
+        *ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(**ctx).clone() });
+    }
 }
 
 /// The side that is programmed, and the one that the moves so far were sent with.

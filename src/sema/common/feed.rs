@@ -1,5 +1,6 @@
 //! The feed word that holds on, and what it counts.
 
+use crate::diag::Fault;
 use crate::ir::Feed;
 
 /// What F counts.
@@ -78,6 +79,18 @@ impl ModalFeed {
     /// F counts `kind`, which the feed that follows says, or a refused block would have said.
     pub fn assume(&mut self, kind: FeedKind) {
         self.kind = Some(kind);
+    }
+
+    /// The feed of a cut. Where there is none the fault is made, and worth one report: the next cuts presume one.
+    ///
+    /// # Errors
+    /// There is none.
+    #[inline]
+    pub fn of_cut(&mut self, missing: fn() -> Fault) -> Result<Feed, Fault> {
+        self.word.ok_or_else(|| {
+            self.presume();
+            missing()
+        })
     }
 
     /// A missing or refused feed was reported: the next moves are not worth another report.

@@ -6,6 +6,8 @@ pub mod compensation;
 pub mod corner;
 pub mod feed;
 pub mod hidden;
+pub mod m_functions;
 pub mod plane;
 pub mod position;
+pub mod spindle;
 pub mod start;

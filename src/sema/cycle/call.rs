@@ -5,29 +5,13 @@ use std::cell::{Cell, RefCell};
 use crate::diag::{Fault, Label};
 use crate::machine::Settings;
 use crate::sema::run::Where;
-use crate::sema::{Outcome, Reported};
+use crate::sema::run::refusal::refused;
 use crate::text::Loc;
+
+pub use crate::sema::run::refusal::{Made, Refusal};
 
 use super::given::{Breach, Given};
 use super::row::{Name, Parameter};
-
-/// Why a call makes no path.
-#[derive(Debug)]
-pub enum Refusal {
-    /// What is wrong, and where.
-    Fault(Where, Box<Fault>),
-    /// It only suffers from what was reported before, or from what the call says of a block elsewhere.
-    Known,
-}
-
-/// What a plan makes, or why it makes nothing.
-pub type Made<T = ()> = Result<T, Refusal>;
-
-impl From<Reported> for Refusal {
-    fn from(Reported: Reported) -> Refusal {
-        Refusal::Known
-    }
-}
 
 /// Something that is worth saying of a call.
 #[derive(Debug)]
@@ -118,7 +102,7 @@ impl<'c, S> Call<'c, S> {
 
     /// The same for a fault that names the cycle itself, or that is none of the cycle.
     pub fn refuse_as_said<T>(&self, place: Where, fault: Fault) -> Made<T> {
-        Err(Refusal::Fault(place, Box::new(fault)))
+        refused(place, fault)
     }
 
     /// Refuses the call for what stands in a block outside it.
@@ -188,14 +172,4 @@ impl<S: Says> Call<'_, S> {
             Some((at, breach)) => self.refuse_as_said(self.given.place_at(at), self.st.breach(self.given, at, breach)),
         }
     }
-}
-
-/// Hands what a plan made to the one place that reports: `refuse` says why there is nothing.
-pub fn reported<T>(made: Made<T>, refuse: impl FnOnce(Where, Fault)) -> Outcome<T> {
-    made.map_err(|refusal| {
-        if let Refusal::Fault(place, fault) = refusal {
-            refuse(place, *fault);
-        }
-        Reported
-    })
 }

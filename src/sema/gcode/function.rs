@@ -1,9 +1,10 @@
 //! What the lines of plain G-code have the machine do besides moving, in the words of everything behind the languages.
 
 use crate::geo::Plane;
-use crate::ir::function::{Coolant, CutterData, PathControl, Spindle, Turn};
+use crate::ir::function::{CutterData, PathControl, Spindle};
 use crate::ir::{Feed, Function, Side};
 use crate::read::{self, Act, FeedKind, Reader, SCALE, Speed};
+use crate::sema::common::m_functions::standard;
 
 /// The function of an act that is no move and chooses no tool.
 ///
@@ -50,18 +51,11 @@ fn of_speed(speed: Speed) -> Function {
 }
 
 fn m_function(number: u32, spindle: u8, angle: Option<i64>) -> Result<Function, &'static str> {
-    Ok(match number {
-        0 => Function::Stop,
-        1 => Function::OptionalStop,
-        2 | 30 => Function::End { rewind: number == 30 },
-        3 => of_spindle(spindle, Spindle::Start(Turn::Clockwise)),
-        4 => of_spindle(spindle, Spindle::Start(Turn::CounterClockwise)),
-        5 => of_spindle(spindle, Spindle::Stop),
-        7 => Function::Coolant(Coolant::Mist),
-        8 => Function::Coolant(Coolant::Flood),
-        9 => Function::Coolant(Coolant::Off),
-        19 => of_spindle(spindle, Spindle::Orient(real(angle.ok_or("M19 without its angle")?))),
-        _ => Function::Aux(number),
+    Ok(match standard(number) {
+        Some(Function::Spindle(order)) => of_spindle(spindle, order),
+        Some(function) => function,
+        None if number == 19 => of_spindle(spindle, Spindle::Orient(real(angle.ok_or("M19 without its angle")?))),
+        None => Function::Aux(number),
     })
 }
 

@@ -9,9 +9,10 @@ mod line;
 mod place;
 mod survey;
 
+use std::ops::ControlFlow;
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, Fault, Help, Label, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
 use crate::ir::function::{PathControl, Spindle, Turn};
@@ -21,13 +22,14 @@ use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, Speed};
-use crate::text::{Loc, Next, Span, SplitRules};
+use crate::text::{Loc, Span, SplitRules};
 
 use line::{Line, is_blank, without};
 
 use self::place::stand;
 use super::common::hidden::{By, because};
 use super::common::start::Start;
+use super::run::refusal::{Refusal, refused};
 use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where};
 use super::{Job, Outcome};
 
@@ -50,8 +52,7 @@ const HEAD_LINES: u32 = 3;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
-    let mut run = Run::new(job, out);
-    if run::run(&mut run) { run.core.hash() } else { 0 }
+    run::run(&mut Run::new(job, out))
 }
 
 /// The form of a line is read with what it does, when it runs.
@@ -166,12 +167,10 @@ impl<'a> Interpreter<'a> for Run<'a> {
             return;
         }
         for comment in &line.comments {
-            self.check_receiver(comment.of(text));
-            if let Some(comment) = self.core.comment_of(comment.of(text)) {
-                self.does(&comment);
-            }
+            self.core.check_receiver(comment.of(text));
+            self.core.send_comment(comment.of(text), &self.ctx);
         }
-        if self.names_an_output(line.span.of(text)) {
+        if self.core.names_an_output(line.span.of(text)) {
             return;
         }
         if self.words(line, text).is_err() {
@@ -202,15 +201,72 @@ impl<'a> Interpreter<'a> for Run<'a> {
 enum Refused {
     Line(read::Fault),
     /// Of a line that can be read.
-    Words(Box<Diagnostic>),
-    /// It was said.
-    Said,
+    Words(Refusal),
 }
 
 impl From<&'static str> for Refused {
     fn from(why: &'static str) -> Refused {
         Refused::Line(read::Fault { why: why.to_owned(), lacks: Some(Lack::Mode) })
     }
+}
+
+impl From<Refusal> for Refused {
+    fn from(refusal: Refusal) -> Refused {
+        Refused::Words(refusal)
+    }
+}
+
+impl Core<'_> {
+    /// The number of a program that partc printed: the next line says for which receiver.
+    fn names_an_output(&self, line: &[u8]) -> bool {
+        let Loc { file, span, .. } = self.here.origin.loc;
+        let next = || self.job.sources.bytes(file, Span { start: span.end, end: span.end.saturating_add(NEXT) });
+        is_program_number(line)
+            && next().trim_ascii_start().get(..HEAD.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(HEAD))
+    }
+
+    /// `O1001` at the head of a program for a mill: the number of the program on a Fanuc and its like. LinuxCNC has none.
+    fn passes_program_number(&self, words: &[u8]) -> bool {
+        let is_mill = self.job.settings.machine.kind == MachineKind::Mill;
+        let is_head = is_mill && self.here.origin.loc.line <= HEAD_LINES && is_program_number(words.trim_ascii());
+        if is_head {
+            self.say_here(codes::R1005::program_number_of_fanuc_control(&String::from_utf8_lossy(words.trim_ascii())));
+        }
+        is_head
+    }
+
+    /// The head of an output names the receiver that it is for.
+    fn check_receiver(&self, comment: &[u8]) {
+        if !comment.get(..6).is_some_and(|begin| begin.eq_ignore_ascii_case(b"partc ")) {
+            return;
+        }
+        let text = String::from_utf8_lossy(comment).to_lowercase();
+        let Some((_, name)) = text.split_once(", target ") else { return };
+        let name = name.trim();
+        if Rules::of(name) != Rules::of("linuxcnc") {
+            let help = "compile the program that it was made of for the target you need";
+            self.say_here(codes::R1003::this_program_was_printed_for_target(&name).help(help));
+            self.stop_run();
+        }
+    }
+
+    /// G64 promises no bound, and the output has one where the target can say it.
+    fn bounds_corners(&self) {
+        let settings = self.job.settings;
+        let lathe = settings.machine.kind == MachineKind::Lathe;
+        let printed = settings.output.path_control(Some(PathControl::Unbounded), lathe);
+        let what = match printed {
+            Some(PathControl::Within(mm)) => format!("the output rounds corners off by {mm} mm at most"),
+            Some(PathControl::Exact) => "the output does not round corners off".to_owned(),
+            Some(PathControl::Before(_) | PathControl::Unbounded) | None => return,
+        };
+        self.say_once(self.block_span(), codes::R8001::g64_without_p_says_no_bound(&what));
+    }
+}
+
+/// `O1001`
+fn is_program_number(words: &[u8]) -> bool {
+    matches!(words, [b'O' | b'o', number @ ..] if !number.is_empty() && number.iter().all(u8::is_ascii_digit))
 }
 
 impl Run<'_> {
@@ -225,64 +281,19 @@ impl Run<'_> {
         self.core.send_lost(&self.ctx);
     }
 
-    /// The number of a program that partc printed: the next line says for which receiver.
-    fn names_an_output(&self, line: &[u8]) -> bool {
-        let [b'O' | b'o', number @ ..] = line else { return false };
-        if number.is_empty() || !number.iter().all(u8::is_ascii_digit) {
-            return false;
-        }
-        let Loc { file, span, .. } = self.core.here.origin.loc;
-        let next = self.core.job.sources.bytes(file, Span { start: span.end, end: span.end.saturating_add(NEXT) });
-        next.trim_ascii_start().get(..HEAD.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(HEAD))
-    }
-
-    /// `O1001` at the head of a program for a mill: the number of the program on a Fanuc and its like. LinuxCNC has none.
-    fn is_program_number(&mut self, words: &[u8]) -> bool {
-        let [b'O' | b'o', number @ ..] = words.trim_ascii() else { return false };
-        let is_number = !number.is_empty() && number.iter().all(u8::is_ascii_digit);
-        let is_head =
-            self.core.here.origin.loc.line <= HEAD_LINES && self.core.job.settings.machine.kind == MachineKind::Mill;
-        if !is_number || !is_head {
-            return false;
-        }
-        self.core.report(
-            codes::R1005::program_number_of_fanuc_control(&String::from_utf8_lossy(words.trim_ascii())).at(self
-                .core
-                .here
-                .origin
-                .loc),
-        );
-        true
-    }
-
-    /// The head of an output names the receiver that it is for.
-    fn check_receiver(&self, comment: &[u8]) {
-        if !comment.get(..6).is_some_and(|begin| begin.eq_ignore_ascii_case(b"partc ")) {
-            return;
-        }
-        let text = String::from_utf8_lossy(comment).to_lowercase();
-        let Some((_, name)) = text.split_once(", target ") else { return };
-        let name = name.trim();
-        if Rules::of(name) != Rules::of("linuxcnc") {
-            let found = codes::R1003::this_program_was_printed_for_target(&name).at(self.core.here.origin.loc);
-            self.core.report(found.help("compile the program that it was made of for the target you need"));
-            self.core.stop_run();
-        }
-    }
-
     fn words(&mut self, line: &Line, text: &[u8]) -> Outcome {
         if line.is_broken {
-            let found = codes::R1001::line_break_stands_inside_of_this_line().at(self.core.here.origin.loc);
-            return self.give_up(found.help("save the file with one kind of line break"));
+            let fault = codes::R1001::line_break_stands_inside_of_this_line();
+            return self.core.refuse(Where::Block, fault.help("save the file with one kind of line break"));
         }
         let before = *self.reader.modes();
         let words = &text[line.from..line.end];
-        if words.trim_ascii_start().first() == Some(&b'%') && (line.skip.is_some() || !line.comments.is_empty()) {
-            let found = codes::R1001::has_to_stand_in_line().at(self.core.here.origin.loc);
-            return self.give_up(found.help("write what stands beside it into another line"));
+        let first = words.trim_ascii_start().first();
+        if first == Some(&b'%') && (line.skip.is_some() || !line.comments.is_empty()) {
+            let fault = codes::R1001::has_to_stand_in_line();
+            return self.core.refuse(Where::Block, fault.help("write what stands beside it into another line"));
         }
-        if matches!(words.trim_ascii_start().first(), Some(b'O' | b'o')) && self.is_program_number(&without(line, text))
-        {
+        if matches!(first, Some(b'O' | b'o')) && self.core.passes_program_number(&without(line, text)) {
             return Ok(());
         }
         let nested = |comment: &Span| memchr::memchr(b'(', comment.of(text)).is_some();
@@ -298,33 +309,33 @@ impl Run<'_> {
                 }
                 Ok(())
             }
-            // It may have been said in the line that was refused.
-            Err(Refused::Line(fault)) if fault.lacks.is_some() && self.lost => Err(super::Reported),
-            Err(Refused::Line(fault)) => {
-                let at_change = match fault.lacks {
-                    Some(Lack::Place(axis)) if axis == Axis::Z.index() => self.changed.map(|loc| (By::ToolChange, loc)),
-                    _ => None,
-                };
-                let why = because(at_change, self.core.here.origin.loc);
-                let usual = "partc reads plain G-code, without variables, calls and cycles: resolve them first, or name the \
-                             language of the program with --dialect";
-                let help = match fault.lacks {
-                    Some(Lack::Place(axis)) => {
-                        let usual = Help::from("program an absolute position first");
-                        usual.or(self.start.or_say(Axis::ALL[axis], at_change.is_some()))
-                    }
-                    Some(Lack::Unit) => {
-                        Answer::key("control", "unit").help("write G21 or G20 first, or set `[control] unit`")
-                    }
-                    Some(Lack::Mode) | None => usual.to_owned().into(),
-                };
-                self.give_up(
-                    codes::R1001::this_line_cannot_be_read(&fault.why, &why).at(self.core.here.origin.loc).help(help),
-                )
-            }
-            Err(Refused::Words(found)) => self.give_up(*found),
-            Err(Refused::Said) => Err(super::Reported),
+            Err(Refused::Line(fault)) => self.unreadable(&fault),
+            Err(Refused::Words(refusal)) => self.core.made(Err(refusal)),
         }
+    }
+
+    /// The line cannot be read; what it lacks may have been said in a line that was refused.
+    #[cold]
+    fn unreadable(&self, fault: &read::Fault) -> Outcome {
+        if fault.lacks.is_some() && self.lost {
+            return Err(super::Reported);
+        }
+        let at_change = match fault.lacks {
+            Some(Lack::Place(axis)) if axis == Axis::Z.index() => self.changed.map(|loc| (By::ToolChange, loc)),
+            _ => None,
+        };
+        let why = because(at_change, self.core.here.origin.loc);
+        let help = match fault.lacks {
+            Some(Lack::Place(axis)) => {
+                let usual = Help::from("program an absolute position first");
+                usual.or(self.start.or_say(Axis::ALL[axis], at_change.is_some()))
+            }
+            Some(Lack::Unit) => Answer::key("control", "unit").help("write G21 or G20 first, or set `[control] unit`"),
+            Some(Lack::Mode) | None => "partc reads plain G-code, without variables, calls and cycles: resolve them \
+                                        first, or name the language of the program with --dialect"
+                .into(),
+        };
+        self.core.refuse(Where::Block, codes::R1001::this_line_cannot_be_read(&fault.why, &why).help(help))
     }
 
     /// The second `%` ends the program, as it ended a tape: nothing behind it is read (RS274/NGC 3.1; rs274 does so, too).
@@ -332,24 +343,19 @@ impl Run<'_> {
     fn close(&mut self) {
         let loc = self.core.here.origin.loc;
         self.core.stop_run();
-        self.core.report(codes::P1007::program_ends_at_its_second().at(loc));
+        self.core.say_here(codes::P1007::program_ends_at_its_second());
         self.does(&Function::End { rewind: false });
-        let (sources, program) = (self.core.job.sources, self.core.program());
-        let (file, cursor) = (program.source.file, &mut program.source.cursor);
-        while let Ok(Next::Block(behind)) = cursor.next(sources) {
-            let Some(start) = behind.text.iter().position(|b| !is_blank(*b)) else { continue };
-            let end = behind.text.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
-            let span = Span { start: behind.at + start as u32, end: behind.at + end as u32 };
+        let program = self.core.level().program;
+        let behind = self.core.first_behind(program, |text| {
+            let Some(start) = text.iter().position(|b| !is_blank(*b)) else { return ControlFlow::Continue(()) };
+            let end = text.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
+            ControlFlow::Break(Some(Span { start: start as u32, end: end as u32 }))
+        });
+        if let Some(behind) = behind {
             let help = "delete it; or delete the `%` before it, if it belongs to the program";
-            let found = codes::R1004::this_stands_after_that_ends_program().at(Loc { file, line: behind.line, span });
-            return self.core.report(found.help(help).also(loc, Label::ProgramEnds));
+            let found = codes::R1004::this_stands_after_that_ends_program().at(behind).help(help);
+            self.core.report(found.also(loc, Label::ProgramEnds));
         }
-    }
-
-    /// The line does nothing; the next one runs.
-    fn give_up(&self, found: Diagnostic) -> Outcome {
-        self.core.report(found);
-        Err(super::Reported)
     }
 
     fn line(&mut self, words: &[u8], before: &Modes) -> Result<(), Refused> {
@@ -365,7 +371,7 @@ impl Run<'_> {
             && self.reader.modes().constant_cut == Some(false)
             && !acts.iter().any(|act| matches!(act, Act::Speed(Speed { spindle: 0, .. })))
         {
-            return Err(self.refused(codes::R2001::g97_stands_without_s()));
+            return Ok(refused(Where::Block, codes::R2001::g97_stands_without_s())?);
         }
         self.modes(before)?;
         let changes = acts.contains(&Act::Change);
@@ -392,19 +398,6 @@ impl Run<'_> {
         }
     }
 
-    /// G64 promises no bound, and the output has one where the target can say it.
-    fn bounds_corners(&mut self) {
-        let settings = self.core.job.settings;
-        let lathe = settings.machine.kind == MachineKind::Lathe;
-        let printed = settings.output.path_control(Some(PathControl::Unbounded), lathe);
-        let what = match printed {
-            Some(PathControl::Within(mm)) => format!("the output rounds corners off by {mm} mm at most"),
-            Some(PathControl::Exact) => "the output does not round corners off".to_owned(),
-            Some(PathControl::Before(_) | PathControl::Unbounded) | None => return,
-        };
-        self.core.say_once(self.core.block_span(), codes::R8001::g64_without_p_says_no_bound(&what));
-    }
-
     /// The length of a tool counts from here on.
     fn length(&mut self, number: u32) -> Result<(), Refused> {
         self.reader.lose(Axis::Z.index());
@@ -414,17 +407,12 @@ impl Run<'_> {
         }
         if !self.core.job.settings.output.prints_tool_length() {
             let with_length = Answer::key("output", "tool_length").one_of(&["\"G43\""]);
-            return Err(self.refused(codes::R2001::output_has_no_tool_length(&number).answer(with_length)));
+            return Ok(refused(Where::Block, codes::R2001::output_has_no_tool_length(&number).answer(with_length))?);
         }
         if self.tool != Some(number) {
-            return Err(self.refused(codes::R2001::g43_adds_length_of_another_tool(&number)));
+            return Ok(refused(Where::Block, codes::R2001::g43_adds_length_of_another_tool(&number))?);
         }
         Ok(())
-    }
-
-    #[cold]
-    fn refused(&self, fault: Fault) -> Refused {
-        Refused::Words(Box::new(fault.at(self.core.here.origin.loc)))
     }
 
     /// Behind a tap the spindle turns on as before; said, unless the next act says what it does.
@@ -464,21 +452,21 @@ impl Run<'_> {
                 self.core.stands_at(&places, &self.ctx);
             }
             Act::M { number, .. } if !is_known(number) && !self.core.job.settings.output.pass_m.contains(&number) => {
-                let found = codes::P2007::m_means_what_builder_of_machine_wants(&number).at(self.core.here.origin.loc);
                 let help = Answer::pass_m(number)
                     .help(format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"));
-                return Err(Refused::Words(Box::new(found.help(help))));
+                let fault = codes::P2007::m_means_what_builder_of_machine_wants(&number).help(help);
+                return Ok(refused(Where::Block, fault)?);
             }
             _ => {
                 if let Some(function) = function::function(act)? {
                     if let Function::WorkOffset(number) = function {
                         let name = OFFSETS.get(usize::from(number).wrapping_sub(1)).copied().unwrap_or("this offset");
                         let taken = self.core.prints_offset(OffsetName::Fixed(name), number, Where::Block);
-                        taken.map_err(|super::Reported| Refused::Said)?;
+                        taken.map_err(Refusal::from)?;
                     }
                     self.does(&function);
                     if function == Function::PathControl(Some(PathControl::Unbounded)) {
-                        self.bounds_corners();
+                        self.core.bounds_corners();
                     }
                     if let Function::WorkOffset(_) = function {
                         self.offset();
@@ -539,7 +527,7 @@ impl Run<'_> {
             && self.tool.is_some_and(|t| t != 0)
         {
             let fault = codes::R2001::tool_moves_without_its_length().answer(Answer::key("output", "tool_length"));
-            return Err(self.refused(fault));
+            return Ok(refused(Where::Block, fault)?);
         }
         let mut end = Pos::UNKNOWN;
         for axis in (0..AXES).filter(|axis| mv.axes & (1 << axis) != 0) {
@@ -551,9 +539,8 @@ impl Run<'_> {
             // K is the way along the path for a turn.
             read::Path::Thread(lead) => Path::Thread(Thread { lead: function::real(lead), along: None }),
             read::Path::Arc(arc) if arc.turns.unsigned_abs() > MOST_TURNS => {
-                let found =
-                    codes::R4001::arc_turns_times(&arc.turns.unsigned_abs(), &MOST_TURNS).at(self.core.here.origin.loc);
-                return Err(Refused::Words(Box::new(found.help("check P, the number of turns"))));
+                let fault = codes::R4001::arc_turns_times(&arc.turns.unsigned_abs(), &MOST_TURNS);
+                return Ok(refused(Where::Block, fault.help("check P, the number of turns"))?);
             }
             read::Path::Arc(arc) => Path::Arc(shape(&arc)?, function::feed(&self.reader)?),
         };

@@ -2,51 +2,35 @@
 
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
-use crate::sema::run::survey::{Notes, Surveyed, Visitor, What};
-use crate::sema::run::unexecuted::{Blocks, Numbers};
-use crate::text::{FileId, Loc, Span};
+use crate::sema::run::survey::{Notes, Visitor, What};
+use crate::sema::run::unexecuted::Passed;
+use crate::sema::run::{Shown, Shows, survey_file};
+use crate::text::{FileId, Span};
 
 use super::Gcode;
 
 /// Leads `visitor` through a file.
 pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
-    let start = Loc { file, line: 1, span: Span::default() };
-    let Some(mut blocks) = Blocks::<Gcode>::open(job, file, start) else { return };
-    let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
-    let mut numbers = Numbers::default();
-    loop {
-        let Some(passed) = blocks.next_for(job, &mut symbols, visitor, &mut numbers) else { return };
-        let (line, text, site) = (passed.block, passed.text, passed.site);
-        notes.clear();
+    survey_file::<Gcode>(job, file, visitor);
+}
+
+impl Shows for Gcode {
+    type Before = ();
+
+    fn show(passed: &Passed<'_, Gcode>, _: &Symbols, _: &mut (), items: bool, notes: &mut Notes) -> Shown {
+        let (line, text) = (passed.block, passed.text);
         notes.comments.extend_from_slice(&line.comments);
-        let words = words(text, line.from, &line.comments, visitor.items().then_some(&mut notes));
-        let surveyed = Surveyed {
-            text,
-            site,
-            number: words.number,
+        Shown {
             skip: line.skip.is_some(),
             words: line.span,
-            is_empty: words.is_empty,
-            is_bad: words.is_bad,
-            comments: &notes.comments,
-            items: &notes.items,
-            passed: numbers.passed,
-        };
-        numbers.see(surveyed.number);
-        visitor.block(&surveyed, job);
+            ..words(text, line.from, &line.comments, items.then_some(notes))
+        }
     }
 }
 
-/// What a rule wants to know of a line as a whole.
-struct Words {
-    number: Option<u32>,
-    is_empty: bool,
-    is_bad: bool,
-}
-
 /// Reads the words between the comments; each letter with its number is noted.
-fn words(text: &[u8], from: usize, comments: &[Span], mut notes: Option<&mut Notes>) -> Words {
-    let mut found = Words { number: None, is_empty: true, is_bad: false };
+fn words(text: &[u8], from: usize, comments: &[Span], mut notes: Option<&mut Notes>) -> Shown {
+    let mut found = Shown { is_empty: true, ..Shown::default() };
     let mut at = from;
     while at < text.len() {
         if let Some(comment) = comments.iter().find(|comment| comment.start as usize == at + 1) {

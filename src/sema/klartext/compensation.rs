@@ -7,10 +7,11 @@ use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::compensation::{Inside, Outside};
 use crate::ir::{Compensation, Side};
+use crate::sema::common::compensation::compensate;
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::contour::{Contour, compensate};
+use super::contour::Contour;
 use super::words::{Comp, MWord, Words};
 use super::{Core, Outcome, Reported, Run};
 

@@ -1,12 +1,11 @@
 //! The contour that is programmed under compensation, as far as a departure has to know it.
 
-use std::rc::Rc;
-
 use crate::diag::codes;
 use crate::geo::{self, Plane, Point2, SAME_POINT, Vec2, arc};
 use crate::ir::compensation::{FeedAt, Inside, Outside, Search};
-use crate::ir::contour::{Arc, ArcShape, Ctx, CtxRef, Path};
+use crate::ir::contour::{Arc, ArcShape, CtxRef, Path};
 use crate::ir::{Compensation, Pos, Side};
+use crate::sema::common::compensation::compensate;
 use crate::sema::common::plane::plane_axes;
 
 use super::words::Words;
@@ -196,12 +195,5 @@ impl ContourState {
             Some(m) if own == OwnCorner::Waits => core.refuse(m.span, codes::K2607::m_acts_on_corner_at_end(&m.number)),
             _ => Ok(()),
         }
-    }
-}
-
-/// The compiler compensates by these rules from now on.
-pub(super) fn compensate(ctx: &mut CtxRef, rules: Compensation) {
-    if ctx.compensation.as_deref() != Some(&rules) {
-        *ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(**ctx).clone() });
     }
 }

@@ -6,6 +6,7 @@ use crate::diag::{self, Diagnostic, codes};
 use crate::parser::klartext::ast::{LabelRef, Stmt};
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
+use crate::sema::run::like;
 use crate::sema::run::unexecuted::Blocks;
 use crate::text::Place;
 use crate::text::{FileId, Loc, Span, decode::readable};
@@ -102,10 +103,8 @@ impl Labels {
 
     /// The label most like `label`, for a hint.
     fn like(&self, label: &Label) -> Option<String> {
-        let shown = label.to_string();
-        let mut names: Vec<String> = self.places.keys().map(ToString::to_string).collect();
-        names.sort();
-        crate::machine::tree::did_you_mean(&shown, names.iter().map(String::as_str)).map(str::to_owned)
+        let names: Vec<String> = self.places.keys().map(ToString::to_string).collect();
+        like(&label.to_string(), names.iter().map(String::as_str))
     }
 }
 

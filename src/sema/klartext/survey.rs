@@ -6,25 +6,24 @@ use crate::machine::Unit;
 use crate::parser::klartext::ast::{Addr, Block, LabelRef, PathFn, Stmt, Test};
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
-use crate::sema::run::survey::{Item, Notes, Surveyed, Visitor, What};
-use crate::sema::run::unexecuted::{Blocks, Numbers};
-use crate::text::{FileId, Loc, Span};
+use crate::sema::run::survey::{Item, Notes, Visitor, What};
+use crate::sema::run::unexecuted::Passed;
+use crate::sema::run::{Shown, Shows, survey_file};
+use crate::text::{FileId, Span};
 
 use super::Klartext;
 use super::labels::Label;
 
 /// Leads `visitor` through a file.
 pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
-    let start = Loc { file, line: 1, span: Span::default() };
-    let Some(mut blocks) = Blocks::<Klartext>::open(job, file, start) else { return };
-    let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
-    let mut unit = Unit::Mm;
-    let mut low = None;
-    let mut numbers = Numbers::default();
-    loop {
-        let Some(passed) = blocks.next_for(job, &mut symbols, visitor, &mut numbers) else { return };
+    survey_file::<Klartext>(job, file, visitor);
+}
+
+impl Shows for Klartext {
+    type Before = Shape;
+
+    fn show(passed: &Passed<'_, Klartext>, _: &Symbols, shape: &mut Shape, items: bool, notes: &mut Notes) -> Shown {
         let (block, text) = (passed.block, passed.text);
-        notes.clear();
         if let Some(comment) = block.comment {
             if passed.site.lines == 1 || comment.start <= block.span.start {
                 notes.comments.push(comment);
@@ -32,30 +31,31 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
                 notes.comments_of_lines(text);
             }
         }
-        if visitor.items() {
+        if items {
             if let Stmt::Begin { unit: Some(written), .. } = block.stmt {
-                unit = written;
+                shape.unit = written;
             }
-            note(block, text, &mut notes);
+            note(block, text, notes);
             if block.stmt == Stmt::BlkForm {
-                notes.items.extend(corner_of_blank(block, text, unit.mm(), &mut low));
+                notes.items.extend(corner_of_blank(block, text, shape.unit.mm(), &mut shape.low));
             }
         }
-        let surveyed = Surveyed {
-            text,
-            site: passed.site,
+        Shown {
             number: block.number,
             skip: block.skip,
             words: block.span,
             is_empty: block.stmt == Stmt::Empty,
-            is_bad: block.stmt == Stmt::Bad || !passed.problems.is_empty(),
-            comments: &notes.comments,
-            items: &notes.items,
-            passed: numbers.passed,
-        };
-        numbers.see(surveyed.number);
-        visitor.block(&surveyed, job);
+            is_bad: block.stmt == Stmt::Bad,
+        }
     }
+}
+
+/// What blocks in front say of lengths.
+#[derive(Debug, Default)]
+pub(super) struct Shape {
+    unit: Unit,
+    /// The low corner of the blank.
+    low: Option<[f64; 3]>,
 }
 
 fn note(block: &Block, text: &[u8], notes: &mut Notes) {

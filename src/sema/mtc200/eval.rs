@@ -4,30 +4,92 @@
 
 use crate::diag::{Answer, codes};
 use crate::lexer::formula::{Function, Operator};
+use crate::machine::Settings;
 use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Formula, Op, Target, Value, Word};
 use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Modulo, Never, Rules, SetBy, Stop, Val, evaluate};
 use crate::text::Span;
 
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported};
 
 /// Variables have three digits.
-pub(super) const VARIABLES: usize = 1000;
+const VARIABLES: usize = 1000;
+
+/// Results nearer to zero than this, and not zero, come from rounding.
+const NEAR_ZERO: f64 = 1e-9;
 
 /// Largest number of a word or formula.
 const LARGEST: f64 = 1e12;
 
-pub(super) fn rules(radians: bool) -> Rules {
+fn rules(radians: bool) -> Rules {
     Rules { result: LARGEST, radians, cuts_negative: false, modulo: Modulo::Whole, ..Rules::USUAL }
 }
 
-impl Formulas for Run<'_> {
+/// What a branch asks of the last result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Condition {
+    Always,
+    Zero,
+    NotZero,
+    NotNegative,
+    Negative,
+}
+
+/// The NC variables, and the result of the last assignment, which branches look at.
+#[derive(Debug)]
+pub(super) struct Variables {
+    values: Vec<Option<Outcome<f64>>>,
+    result: Option<f64>,
+    machine: Machine,
+}
+
+impl Variables {
+    /// Variables with their start values: `@50` and `@050` are the same.
+    pub fn new(settings: &Settings) -> Variables {
+        let mut values = vec![None; VARIABLES];
+        for (name, value) in &settings.variables {
+            let number = name.strip_prefix('@').and_then(|digits| digits.parse::<usize>().ok());
+            if let Some(slot) = number.and_then(|number| values.get_mut(number)) {
+                *slot = Some(Ok(*value));
+            }
+        }
+        Variables { values, result: None, machine: Machine::new(rules(settings.control.mtc200.radians)) }
+    }
+
+    /// Does the last result fulfil the condition?
+    pub fn fulfil(&self, condition: Condition) -> Result<bool, crate::diag::Fault> {
+        if condition == Condition::Always {
+            return Ok(true);
+        }
+        let Some(result) = self.result else {
+            return Err(codes::M2204::no_result_was_calculated_before_this_branch());
+        };
+        if result != 0.0 && result.abs() < NEAR_ZERO {
+            return Err(codes::M2205::last_result_is_nearly_zero(&format_args!("{result:.1e}")));
+        }
+        Ok(match condition {
+            Condition::Always => true,
+            Condition::Zero => result == 0.0,
+            Condition::NotZero => result != 0.0,
+            Condition::NotNegative => result >= 0.0,
+            Condition::Negative => result < 0.0,
+        })
+    }
+}
+
+/// Computes what the words of a block say.
+pub(super) struct Computing<'r, 'a> {
+    pub core: &'r Core<'a>,
+    pub variables: &'r mut Variables,
+}
+
+impl Formulas for Computing<'_, '_> {
     type Op = Op;
     type Axis = Never;
     type Frame = Never;
 
     fn machine(&mut self) -> &mut Machine {
-        &mut self.machine
+        &mut self.variables.machine
     }
 
     fn operation(&mut self, op: &Op, machine: &mut Machine, at: At<'_>) -> Result<Val, Stop> {
@@ -37,7 +99,7 @@ impl Formulas for Run<'_> {
             Op::Unary(f) => {
                 use Function::{Acos, Asin, Atan, Cos, Sin, Tan};
                 if matches!(f, Sin | Cos | Tan | Asin | Acos | Atan) {
-                    self.reading(Reading::Degrees, at.span, codes::P8106::angles_count_in_degrees);
+                    self.core.reading(Reading::Degrees, at.span, codes::P8106::angles_count_in_degrees);
                 }
                 machine.unary(f)?
             }
@@ -89,7 +151,7 @@ fn name(f: Function) -> &'static str {
     }
 }
 
-impl Run<'_> {
+impl Computing<'_, '_> {
     /// The number behind an address.
     #[inline]
     pub(super) fn number(&mut self, word: &Word, block: &Block) -> Outcome<f64> {
@@ -107,22 +169,16 @@ impl Run<'_> {
     }
 
     fn variable(&mut self, number: u32, span: Span) -> Outcome<f64> {
-        let Some(slot) = self.variables.get_mut(number as usize) else { return self.no_variable(number, span) };
+        let Some(slot) = self.variables.values.get_mut(number as usize) else {
+            return self.core.refuse(span, codes::P2025::there_is_no_variable(&number));
+        };
         if let Some(value) = *slot {
             return value;
         }
         *slot = Some(Err(Reported));
         // Later uses are not worth another report.
-        self.core.report(
-            codes::P2020::was_never_set(&number)
-                .answer(Answer::key("variables", format!("@{number}")))
-                .at(self.core.loc(span)),
-        );
-        Err(Reported)
-    }
-
-    fn no_variable<T>(&self, number: u32, span: Span) -> Outcome<T> {
-        self.core.refuse(span, codes::P2025::there_is_no_variable(&number))
+        self.core
+            .refuse(span, codes::P2020::was_never_set(&number).answer(Answer::key("variables", format!("@{number}"))))
     }
 
     /// A block that assigns variables; does nothing for other blocks.
@@ -134,7 +190,7 @@ impl Run<'_> {
         for word in &block.words {
             let Target::Variable(variable) = word.target else { continue };
             let value = self.number(word, block);
-            match self.variables.get_mut(variable as usize) {
+            match self.variables.values.get_mut(variable as usize) {
                 Some(slot) => {
                     if let Ok(number) = value {
                         let origin = self.core.here.origin;
@@ -142,9 +198,9 @@ impl Run<'_> {
                     }
                     *slot = Some(value);
                 }
-                None => return self.no_variable(variable, word.span),
+                None => return self.core.refuse(word.span, codes::P2025::there_is_no_variable(&variable)),
             }
-            self.result = Some(value?);
+            self.variables.result = Some(value?);
         }
         Ok(true)
     }

@@ -2,6 +2,8 @@
 //!
 //! Source: M 4 (docs/sources.md).
 
+use std::ops::ControlFlow;
+
 use rustc_hash::FxHashMap;
 
 use crate::diag::{Label, codes};
@@ -10,20 +12,17 @@ use crate::machine::AxisSet;
 use crate::parser::mtc200::{SPLIT, label_of};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
+use crate::sema::common::compensation::Compensation;
 use crate::sema::run::unexecuted::Texts;
-use crate::sema::run::{Core, Program, Wanted, not_opened};
-use crate::text::{FileError, FileId, Loc, Next, Place, Span, Within};
+use crate::sema::run::{Program, Wanted, like, not_opened};
+use crate::text::{FileError, FileId, Loc, Place, Span, Within};
 
-use super::g_functions::Offset;
 use super::header::Header;
-use super::state::State;
-use super::words::{Condition, Flow, FlowWord, Words};
-use super::{Outcome, Reported, Run};
+use super::words::{Flow, FlowWord, Words};
+use super::{Core, Outcome, Reported, Run};
 
 /// Nesting of subroutines that the control allows.
 const MOST_LEVELS: usize = 10;
-/// Results nearer to zero than this, and not zero, come from rounding.
-const NEAR_ZERO: f64 = 1e-9;
 /// Extensions of called programs; none goes before the other.
 const EXTENSIONS: &[&str] = &["dat", "DAT", "npg", "NPG"];
 
@@ -64,9 +63,7 @@ impl Labels {
     }
 
     fn like(&self, name: &str, symbols: &Symbols) -> Option<String> {
-        let mut names: Vec<&str> = self.0.keys().map(|label| symbols.name(*label)).collect();
-        names.sort_unstable();
-        crate::machine::tree::did_you_mean(name, names).map(str::to_owned)
+        like(name, self.0.keys().map(|label| symbols.name(*label)))
     }
 }
 
@@ -79,100 +76,27 @@ fn is_of_header(line: &[u8]) -> bool {
     line.trim_ascii().first().is_none_or(|first| b"%!#$*".contains(first))
 }
 
-impl Run<'_> {
+impl Core<'_> {
     /// A program is over. What stands behind it in its file is not read, and must not be another program: which one a number
     /// means would not be certain.
     fn is_alone(&mut self, program: usize) {
-        if std::mem::replace(&mut self.core.programs[program].known.alone, true) {
+        if std::mem::replace(&mut self.programs[program].known.alone, true) {
             return;
         }
-        let sources = self.core.job.sources;
-        let source = &mut self.core.programs[program].source;
-        let file = source.file;
-        let mut second = None;
-        while second.is_none() {
-            let place = source.cursor.place();
-            match source.cursor.next(sources) {
-                Ok(Next::Block(block)) => second = begins_header(block.text).then_some(place),
-                Ok(Next::TooLong { .. }) => {}
-                Ok(Next::End) | Err(_) => break,
-            }
-        }
-        if let Some(loc) = second.map(|place: Place| Loc { file, line: place.line, span: Span::at(place.at, 4) }) {
+        let header = |text: &[u8]| match begins_header(text) {
+            true => ControlFlow::Break(Some(Span::at(0, 4))),
+            false => ControlFlow::Continue(()),
+        };
+        if let Some(loc) = self.first_behind(program, header) {
             let found = codes::P1009::second_program_begins_here().at(loc);
-            self.core
-                .report(found.help("put each program into a file of its own, named by its number: `5.npg` for JSR P5"));
+            self.report(found.help("put each program into a file of its own, named by its number: `5.npg` for JSR P5"));
         }
-    }
-
-    /// The word of the block that says where the program goes on; acts last.
-    pub(super) fn go_on(&mut self, word: FlowWord, w: &Words) -> Outcome {
-        let program = match (word.flow, w.program) {
-            (Flow::JumpProgram | Flow::CallProgram, Some(at)) => Some(self.whole(at, "P")?),
-            (Flow::JumpProgram | Flow::CallProgram, None) => {
-                return self.core.refuse(word.span, codes::P1004::jmp_and_jsr_name_program());
-            }
-            _ => None,
-        };
-        self.flow_reading(word.flow, word.span);
-        match (word.flow, word.label, program) {
-            (Flow::Return, ..) => self.end_of_program(true, word.span),
-            (Flow::ProgramEnd, ..) => self.end_of_program(false, word.span),
-            (Flow::Halt, ..) => {
-                self.function(Function::Stop);
-                Ok(())
-            }
-            (Flow::EndOfSubroutine, ..) => self.return_from(word.span),
-            (Flow::Branch(condition), Some(label), _) => {
-                if self.holds(condition, word.span)? {
-                    let place = self.find(label, word.span)?;
-                    return self.core.jump_to(place);
-                }
-                Ok(())
-            }
-            (Flow::Call, Some(label), _) => {
-                let place = self.find(label, word.span)?;
-                let program = self.core.level().program;
-                self.call_part(program, false, place)
-            }
-            (Flow::StopAndBranch, Some(label), _) => self.stop_and_branch(label, word.span),
-            (Flow::Reverse, Some(label), _) => {
-                self.find(label, word.span)?;
-                self.without_geometry("REV", word.span);
-                Ok(())
-            }
-            (Flow::JumpProgram, _, Some(number)) => self.jump_program(number),
-            (Flow::CallProgram, _, Some(number)) => self.call_program(number),
-            // Words and labels were paired when they were gathered.
-            _ => Ok(()),
-        }
-    }
-
-    fn holds(&mut self, condition: Condition, span: Span) -> Outcome<bool> {
-        if condition == Condition::Always {
-            return Ok(true);
-        }
-        let Some(result) = self.result else {
-            self.core.stop_run();
-            return self.core.refuse(span, codes::M2204::no_result_was_calculated_before_this_branch());
-        };
-        if result != 0.0 && result.abs() < NEAR_ZERO {
-            self.core.stop_run();
-            return self.core.refuse(span, codes::M2205::last_result_is_nearly_zero(&format_args!("{result:.1e}")));
-        }
-        Ok(match condition {
-            Condition::Always => true,
-            Condition::Zero => result == 0.0,
-            Condition::NotZero => result != 0.0,
-            Condition::NotNegative => result >= 0.0,
-            Condition::Negative => result < 0.0,
-        })
     }
 
     fn labels(&mut self) -> &Labels {
-        let (job, here) = (self.core.job, self.core.here.origin.loc);
-        let at = self.core.level().program;
-        let Core { programs, symbols, .. } = &mut self.core;
+        let (job, here) = (self.job, self.here.origin.loc);
+        let at = self.level().program;
+        let Core { programs, symbols, .. } = self;
         let Program { source, known } = &mut programs[at];
         known.labels.get_or_insert_with(|| Labels::scan(&job, source.file, symbols, here))
     }
@@ -181,116 +105,152 @@ impl Run<'_> {
         if let Some(place) = self.labels().0.get(&label) {
             return Ok(*place);
         }
-        let at = self.core.level().program;
+        let at = self.level().program;
         // It may be a label of another program in the file.
         self.is_alone(at);
-        let name = self.core.symbols.name(label);
-        let like =
-            self.core.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.core.symbols));
-        let found = codes::P2011::label_is_not_set(&name).at(self.core.loc(span));
+        let name = self.symbols.name(label);
+        let like = self.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.symbols));
+        let found = codes::P2011::label_is_not_set(&name).at(self.loc(span));
         // Going on past a jump would run blocks that never run.
-        self.core.stop(match like {
+        self.stop(match like {
             Some(like) => found.help(format!("did you mean `.{like}`?")),
             None => found.help("set it at the start of a block: `.LOOP G01 X10`"),
         })
     }
 
     fn call_part(&mut self, program: usize, called_program: bool, to: Place) -> Outcome {
-        let most = MOST_LEVELS.min(self.core.job.settings.limits.call_depth);
-        if self.core.levels.len() > most {
-            return self.core.too_deep(codes::P4003::subroutines_are_nested_deeper(&most));
-        }
-        self.core.enter(program, to, Frame { called_program })
+        let deeper = codes::P4003::subroutines_are_nested_deeper;
+        self.enter_within(MOST_LEVELS, deeper, (program, to), Frame { called_program })
     }
 
     fn return_from(&mut self, span: Span) -> Outcome {
-        if self.core.levels.len() < 2 {
-            self.core.stop_run();
-            return self.core.refuse(span, codes::M2203::rts_without_call_by_bsr_or_jsr());
+        if self.levels.len() < 2 {
+            self.stop_run();
+            return self.refuse(span, codes::M2203::rts_without_call_by_bsr_or_jsr());
         }
-        if self.core.level().frame.called_program {
-            let program = self.core.level().program;
+        if self.level().frame.called_program {
+            let program = self.level().program;
             self.is_alone(program);
         }
-        self.core.leave().map(drop)
+        self.leave().map(drop)
     }
 
-    // Other programs.
-
-    fn open_numbered(&mut self, number: u32) -> Outcome<usize> {
+    fn open_numbered(&mut self, number: u32) -> Option<usize> {
         let name = number.to_string();
         let wanted = |extensions| Wanted { name: &name, extensions, within: Within::Anywhere };
-        let [one, other] = [EXTENSIONS, &EXTENSIONS[2..]].map(|extensions| self.core.opens(&wanted(extensions)));
-        let program = match (one, other) {
-            (Some(one), Some(other)) if one != other => {
+        match [EXTENSIONS, &EXTENSIONS[2..]].map(|extensions| self.opens(&wanted(extensions))) {
+            [Some(one), Some(other)] if one != other => {
                 let names = FileError::Ambiguous { names: vec![one, other] };
-                self.core.report(not_opened(names, &name, self.core.here.origin.loc));
+                self.report(not_opened(names, &name, self.here.origin.loc));
                 None
             }
-            _ => self.core.open_called(&wanted(EXTENSIONS)),
+            _ => self.open_called(&wanted(EXTENSIONS)),
+        }
+    }
+
+    /// The program has not been read; where it starts.
+    fn begin_program(&mut self, program: usize) -> Place {
+        let Program { source, known } = &mut self.programs[program];
+        known.header = Header::Start;
+        source.cursor.start()
+    }
+
+    /// BST: where the program starts the next time.
+    fn starts_again_at(&mut self, label: Symbol, span: Span) -> Outcome {
+        let place = self.find(label, span)?;
+        let elsewhere = self.level().program != 0;
+        if elsewhere || self.program().known.first.is_some_and(|first| place.at > first) {
+            self.stop_run();
+            return self.refuse(span, codes::M2208::next_start_would_go(&self.symbols.name(label)));
+        }
+        Ok(())
+    }
+
+    fn warn_open(&self, compensation: &Compensation) {
+        if compensation.is_on() {
+            self.say_here(codes::P2041::program_ends_with_path_compensation());
+        }
+    }
+}
+
+impl Run<'_> {
+    /// The word of the block that says where the program goes on; acts last.
+    pub(super) fn go_on(&mut self, word: FlowWord, w: &Words) -> Outcome {
+        let FlowWord { flow, span, .. } = word;
+        let program = match (flow.takes_program(), w.program) {
+            (true, Some(at)) => Some(self.core.made(at.whole("P"))?),
+            (true, None) => return self.core.refuse(span, codes::P1004::jmp_and_jsr_name_program()),
+            (false, _) => None,
         };
-        if let Some(program) = program {
-            return Ok(program);
+        self.core.flow_reading(flow, span);
+        match (flow, word.label, program) {
+            (Flow::Return, ..) => self.end_of_program(true, span),
+            (Flow::ProgramEnd, ..) => self.end_of_program(false, span),
+            (Flow::Halt, ..) => {
+                self.core.send_function(&Function::Stop, &self.st.ctx);
+                Ok(())
+            }
+            (Flow::EndOfSubroutine, ..) => self.core.return_from(span),
+            (Flow::Branch(condition), Some(label), _) => {
+                let holds = self.variables.fulfil(condition);
+                if holds.is_err() {
+                    self.core.stop_run();
+                }
+                if self.core.made_at(span, holds)? {
+                    let place = self.core.find(label, span)?;
+                    return self.core.jump_to(place);
+                }
+                Ok(())
+            }
+            (Flow::Call, Some(label), _) => {
+                let place = self.core.find(label, span)?;
+                let program = self.core.level().program;
+                self.core.call_part(program, false, place)
+            }
+            (Flow::StopAndBranch, Some(label), _) => {
+                self.core.starts_again_at(label, span)?;
+                self.end_of_program(true, span)
+            }
+            (Flow::Reverse, Some(label), _) => {
+                self.core.find(label, span)?;
+                self.core.without_geometry("REV", span);
+                Ok(())
+            }
+            (Flow::JumpProgram | Flow::CallProgram, _, Some(number)) => {
+                self.other_program(number, flow == Flow::JumpProgram)
+            }
+            // Words and labels were paired when they were gathered.
+            _ => Ok(()),
         }
-        // What the program would have done is unknown: nothing after it can be trusted.
-        self.st.position.lose(AxisSet::MAIN);
-        self.lost();
-        self.core.stop_run();
-        Err(Reported)
     }
 
-    fn call_program(&mut self, number: u32) -> Outcome {
-        let program = self.open_numbered(number)?;
-        if self.core.is_running(program) {
-            return self.core.end_run(codes::P4003::program_calls_itself(&number));
-        }
-        self.core.programs[program].known.header = Header::Start;
-        let start = self.core.programs[program].source.cursor.start();
-        self.call_part(program, true, start)
-    }
-
-    /// JMP ends this program with a reset of all modal states, and another one begins.
-    fn jump_program(&mut self, number: u32) -> Outcome {
-        if self.core.levels.len() > 1 {
+    /// JSR calls a program; JMP ends this one with a reset of all modal states, and another one begins.
+    fn other_program(&mut self, number: u32, jumps: bool) -> Outcome {
+        if jumps && self.core.levels.len() > 1 {
             return self.core.end_run(codes::P2013::jmp_in_subroutine_leaves_it_without_rts());
         }
-        let program = self.open_numbered(number)?;
+        let Some(program) = self.core.open_numbered(number) else {
+            // What the program would have done is unknown: nothing after it can be trusted.
+            self.st.position.lose(AxisSet::MAIN);
+            self.core.send_lost(&self.st.ctx);
+            self.core.stop_run();
+            return Err(Reported);
+        };
+        if !jumps {
+            if self.core.is_running(program) {
+                return self.core.end_run(codes::P4003::program_calls_itself(&number));
+            }
+            let start = self.core.begin_program(program);
+            return self.core.call_part(program, true, start);
+        }
         let ended = self.core.level().program;
-        self.is_alone(ended);
+        self.core.is_alone(ended);
         self.core.note_jump();
-        self.reset();
-        self.core.programs[program].known.header = Header::Start;
-        let start = self.core.programs[program].source.cursor.start();
+        self.core.warn_open(&self.st.compensation);
+        self.st.reset(self.core.job.settings);
+        let start = self.core.begin_program(program);
         self.core.level().program = program;
         self.core.seek(start)
-    }
-
-    /// All modal states as at the start; the tool stays where it is, and so does the work offset.
-    fn reset(&mut self) {
-        self.warn_open();
-        let old = std::mem::replace(&mut self.st, State::new(self.core.job.settings));
-        // The end of a program cancels the programmed offset: positions count from the work offset again.
-        self.st.position = old.position;
-        self.st.position.through_frame(&old.ctx.frame, &self.st.ctx.frame);
-        self.st.offsets.forget_written();
-        self.st.tool = old.tool;
-        if old.offsets.offset() != Offset::Start {
-            // Which offset is in force now depends on the machine, and the output still has the old one.
-            self.st.offsets.reset();
-            self.st.forget(self.st.position.at().known());
-        }
-    }
-
-    // Ends.
-
-    fn stop_and_branch(&mut self, label: Symbol, span: Span) -> Outcome {
-        let place = self.find(label, span)?;
-        let elsewhere = self.core.level().program != 0;
-        if elsewhere || self.core.program().known.first.is_some_and(|first| place.at > first) {
-            self.core.stop_run();
-            return self.core.refuse(span, codes::M2208::next_start_would_go(&self.core.symbols.name(label)));
-        }
-        self.end_of_program(true, span)
     }
 
     /// RET, M02, M30, PROGRAMMENDE.
@@ -300,18 +260,12 @@ impl Run<'_> {
             return self.core.refuse(span, codes::P2013::called_program_ends_whole_job());
         }
         let ended = self.core.level().program;
-        self.is_alone(ended);
-        self.warn_open();
+        self.core.is_alone(ended);
+        self.core.warn_open(&self.st.compensation);
         self.core.end_is_whole();
-        self.function(Function::End { rewind });
+        self.core.send_function(&Function::End { rewind }, &self.st.ctx);
         self.core.stop_run();
         Ok(())
-    }
-
-    fn warn_open(&mut self) {
-        if self.st.compensation.is_on() {
-            self.core.report(codes::P2041::program_ends_with_path_compensation().at(self.core.here.origin.loc));
-        }
     }
 
     /// The file has no further block.
@@ -325,18 +279,14 @@ impl Run<'_> {
             return;
         }
         match self.core.program().known.header {
-            Header::Open => {
-                self.core.report(codes::M1002::header_of_file_never_ends().at(loc));
-            }
-            Header::Closed => {
-                self.core.report(codes::P1006::file_ends_without_ret_or_m30().at(loc));
-            }
+            Header::Open => self.core.say_here(codes::M1002::header_of_file_never_ends()),
+            Header::Closed => self.core.say_here(codes::P1006::file_ends_without_ret_or_m30()),
             Header::Start | Header::None => {
                 if self.core.is_between_percents() || self.core.may_end_open("RET or M30", "RET", None) {
-                    self.core.report(codes::P1007::program_ends_without_ret_or_m30().at(loc));
+                    self.core.say_here(codes::P1007::program_ends_without_ret_or_m30());
                 }
-                self.warn_open();
-                self.function(Function::End { rewind: false });
+                self.core.warn_open(&self.st.compensation);
+                self.core.send_function(&Function::End { rewind: false }, &self.st.ctx);
             }
         }
     }

@@ -5,6 +5,7 @@
 //! functions that end something, program flow. Source: M 1, 2, 6.5 (docs/sources.md).
 
 mod centre;
+mod dimensions;
 mod eval;
 mod flow;
 mod g_functions;
@@ -15,46 +16,46 @@ mod offsets;
 mod path;
 mod readings;
 mod reserved;
+mod spindle;
 mod state;
 mod strange;
 mod survey;
+mod tool;
 mod words;
 
-use crate::sema::common::feed::FeedKind;
 use std::rc::Rc;
 
-use rustc_hash::FxHashSet;
-
-use crate::diag::{Answer, Diags, codes};
+use crate::diag::{Diags, codes};
 use crate::geo::Plane;
-use crate::ir::Function;
-use crate::ir::contour::{Corner, Ctx, Move, Sink};
+use crate::ir::contour::{Ctx, Sink};
 use crate::ir::function::PathControl;
+use crate::ir::{Function, Side};
 use crate::machine::options::mtc200::Reading;
-use crate::machine::{Axis, Compensation};
+use crate::machine::{Compensation, Unit};
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
 use crate::parser::mtc200::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
+use super::common::compensation::compensate;
+use super::common::feed::FeedKind;
 use super::run::{self, Interpreter, Language, Level, Nowhere, Parsed};
-use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use centre::Settled;
+use eval::{Computing, Variables};
 use flow::{Frame, Labels};
-use g_functions::Motion;
-use g_functions::{G, Group};
+use g_functions::{G, Group, Motion};
 use header::Header;
+use path::{feed_word, roles};
 use state::State;
-use words::Words;
+use words::{AxisNames, ToolData, Words, Written};
 
 pub use survey::survey;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
-    let mut run = Run::new(job, out, Settled::default());
-    if run::run(&mut run) { run.core.hash() } else { 0 }
+    run::run(&mut Run::new(job, out, Settled::default()))
 }
 
 /// Looks through the program for arcs that decide what their centres count from.
@@ -118,17 +119,9 @@ type Core<'a> = run::Core<'a, Mtc200>;
 struct Run<'a> {
     core: Core<'a>,
     st: State,
-    /// Axis of each letter.
-    axis_names: [Option<Axis>; 26],
-    variables: Vec<Option<Outcome<f64>>>,
-    /// Result of the last assignment: what branches look at.
-    result: Option<f64>,
+    axis_names: AxisNames,
+    variables: Variables,
     settled: Settled,
-    /// Words that were noted once.
-    noted: FxHashSet<String>,
-    /// Readings that the configuration confirms, and those that were said.
-    confirmed: Vec<Reading>,
-    machine: Machine,
     words: Option<Box<Words>>,
 }
 
@@ -137,13 +130,9 @@ impl<'a> Run<'a> {
         Run {
             core: Core::new(job, out),
             st: State::new(job.settings),
-            axis_names: axis_names(job.settings.machine.geometry_axes),
-            variables: start_values(&job.settings.variables),
-            result: None,
+            axis_names: AxisNames::new(job.settings.machine.geometry_axes),
+            variables: Variables::new(job.settings),
             settled,
-            noted: FxHashSet::default(),
-            confirmed: job.settings.control.mtc200.confirmed.clone(),
-            machine: Machine::new(eval::rules(job.settings.control.mtc200.radians)),
             words: None,
         }
     }
@@ -158,7 +147,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
-        self.refuse_known_words();
+        self.core.refuse_known_words();
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::default())
     }
@@ -166,16 +155,19 @@ impl<'a> Interpreter<'a> for Run<'a> {
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
         if let Stmt::Header(first) = block.stmt {
-            return self.header_line(first, block, text);
+            if let Some(comment) = self.core.header_line(first, block, text) {
+                self.core.send_comment(comment, &self.st.ctx);
+            }
+            return;
         }
         if !matches!(self.core.program().known.header, Header::Closed | Header::None) {
-            self.leave_header(block);
+            self.core.leave_header(block);
         }
         if self.core.skips(block.skip.then_some(0)) {
             return;
         }
         for comment in &block.comments {
-            self.comment(comment.of(text));
+            self.core.send_comment(comment.of(text), &self.st.ctx);
         }
         match block.stmt {
             Stmt::Empty | Stmt::Header(_) => {}
@@ -184,7 +176,8 @@ impl<'a> Interpreter<'a> for Run<'a> {
                 let at = self.core.here.at;
                 self.core.program().known.first.get_or_insert(at);
                 if self.words_block(block, text).is_err() {
-                    self.keep_modal(block);
+                    self.st.motion.lose();
+                    g_functions_of(block).for_each(|g| self.st.assume(g));
                     self.lose_all();
                 }
             }
@@ -205,85 +198,99 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 }
 
-impl Run<'_> {
-    /// No entry of `machine_words` takes away what moves the tool.
-    fn refuse_known_words(&self) {
-        let of_flow = |name: &str| words::is_of_flow(name).then_some("a word of the program flow");
-        let names = self.core.job.settings.control.mtc200.machine_words.keys();
-        let entries: Vec<(&str, &str)> = names
-            .filter_map(|name| Some((name.as_str(), reserved::reserved(name).or_else(|| of_flow(name))?)))
-            .collect();
-        let help = "take them out of the list: without them the tool would go another way, or the machine would not do what the program asks";
-        self.core.refuse_entries("[control] machine_words", &entries, help);
-        let words = self.core.job.settings.control.mtc200.machine_words.iter();
-        let printed: Vec<(String, &str)> = words
-            .filter_map(|(name, number)| Some((name, (*number)?)))
-            .filter_map(|(name, number)| Some((format!("{name} = M{number}"), reserved::reserved_m(number)?)))
-            .collect();
-        let printed: Vec<(&str, &str)> = printed.iter().map(|(entry, what)| (entry.as_str(), *what)).collect();
-        let help = "take them out: partc has to know of these functions, and would take the word for one that does nothing to the \
-                    path; write the M function itself into the program";
-        self.core.refuse_entries("[control] machine_words", &printed, help);
-    }
+/// The G functions of a block that was refused, as far as they are written in numbers.
+fn g_functions_of(block: &Block) -> impl Iterator<Item = G> {
+    block.words.iter().filter_map(|word| {
+        let (Target::Letter(b'G'), Value::Literal(number)) = (word.target, word.value) else { return None };
+        let whole = (0.0..=999.0).contains(&number) && number.fract() == 0.0;
+        g_functions::entry(number as u32).filter(|_| whole).map(|(_, g)| g)
+    })
+}
 
+impl Run<'_> {
     fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        if self.assignments(block)? {
+        let Run { core, variables, .. } = self;
+        if (Computing { core, variables }).assignments(block)? {
             return self.count_between();
         }
         let w = self.gather(block, text)?;
         let result = self.act_on(&w);
-        self.put_back(w);
+        self.words = Some(w);
         result
+    }
+
+    /// Evaluates the words of a block.
+    fn gather(&mut self, block: &Block, text: &[u8]) -> Outcome<Box<Words>> {
+        let mut w = self.words.take().unwrap_or_default();
+        w.clear();
+        let sorted = block.words.iter().try_for_each(|word| {
+            let Run { core, variables, axis_names: axes, .. } = self;
+            match w.sort_in(word, Written { block, text, axes }, &mut Computing { core, variables })? {
+                None => Ok(()),
+                Some(data) => {
+                    self.choose_tool_data(&data)?;
+                    w.take_in(&data, &self.core)
+                }
+            }
+        });
+        if !w.strange.is_empty() {
+            self.core.settle_strange(&mut w);
+        }
+        sorted.map(|()| w)
+    }
+
+    /// D or E: both choose lengths and a radius that only the machine knows. The radius counts under G41 and G42, the lengths
+    /// unless G47 has switched them off.
+    fn choose_tool_data(&mut self, data: &ToolData) -> Outcome {
+        let span = data.at.span;
+        if self.st.tool.choose(data) && self.st.length.counts() {
+            self.core.length_is_another(data.letter, span);
+        } else {
+            self.core.without_geometry(if data.letter == 'D' { "D" } else { "E" }, span);
+        }
+        let computed = self.core.job.settings.output.compensation == Compensation::Resolve;
+        if computed && self.st.compensation.is_on() {
+            return self.core.made_at(span, self.st.tool.radius_is_that_of_the_table());
+        }
+        Ok(())
     }
 
     /// Everything a block of words does, in order.
     #[inline]
     fn act_on(&mut self, w: &Words) -> Outcome {
-        self.check_m(w)?;
-        self.m_reading(w);
+        self.core.check_m(w)?;
+        self.core.m_reading(w);
         let once = w.g[Group::Once as usize].map(|(g, _)| g);
         let ends = w.m().iter().any(|(number, _)| matches!(number, 2 | 30));
         if let (true, Some(flow)) = (ends, w.flow) {
             return self.core.refuse(flow.span, codes::P1003::block_ends_program_and_goes_on());
         }
         if once == Some(G::Dwell) {
-            return self.dwell_block(w);
+            return self.dwell(w);
         }
         self.modal_functions(w)?;
-        if let Some(at) = w.feed {
-            self.relies_on_the_start(self.st.feed_said, at.span);
-            self.set_feed(at)?;
-        }
-        if let Some(at) = w.tool {
-            self.tool_word(at, w.m().iter().any(|(number, _)| *number == 6))?;
-        }
-        if let Some(at) = w.speed {
-            self.speed_word(at, once == Some(G::SpeedLimit))?;
-        } else if once == Some(G::SpeedLimit) {
-            return self.core.refuse(w.g_spans[Group::Once as usize], codes::P1004::g92_needs_its_s());
-        }
+        self.values(w, once == Some(G::SpeedLimit))?;
         let arcs = self.st.motion.code().is_some_and(Motion::is_arc);
         let moves = once.is_none() && (!w.axes.known().is_empty() || w.has_centre() || (arcs && w.radius.is_some()));
         self.m_at_start(w, moves)?;
         let span = w.g_spans[Group::Once as usize];
         match once {
-            Some(G::ShiftTo | G::ShiftBy | G::Name) => {
-                self.only_axes(w)?;
-                self.programmed_offset(once.unwrap_or(G::Name), w, span)?;
+            Some(g @ (G::ShiftTo | G::ShiftBy | G::Name)) => {
+                self.core.made(w.no_path_words(true))?;
+                self.programmed_offset(g, w, span)?;
             }
             Some(G::Home) => {
-                self.only_axes(w)?;
+                self.core.made(w.no_path_words(true))?;
                 self.home(w, span)?;
             }
             Some(_) if !w.axes.known().is_empty() => {
                 return self.core.refuse(w.axes_span, codes::P1003::axis_words_beside_g92());
             }
-            Some(_) => self.only_axes(w)?,
             None if moves => self.motion(w)?,
-            None => self.stray_words(w)?,
+            once => self.core.made(w.no_path_words(once.is_some()))?,
         }
         if w.program.is_some() {
-            self.check_p(w)?;
+            self.core.made(w.check_p(self.st.motion.code()))?;
         }
         if w.chamfer.is_some() || w.rounding.is_some() {
             self.corner(w)?;
@@ -297,46 +304,41 @@ impl Run<'_> {
         }
     }
 
-    /// Beside a function that takes axis words nothing else can use I, J, K or R.
-    fn only_axes(&mut self, w: &Words) -> Outcome {
-        if w.has_centre() {
-            return self.core.refuse(w.centre_span, codes::P1003::i_j_k_have_no_meaning());
+    /// F, T and S of a block; `limit`: S is that of G92.
+    #[inline]
+    fn values(&mut self, w: &Words, limit: bool) -> Outcome {
+        let settings = self.core.job.settings;
+        if let Some(at) = w.feed {
+            self.core.relies_on_the_start(&mut self.st.feed_said, at.span);
+            let zero_keeps = settings.control.mtc200.zero_feed_keeps;
+            let feed = feed_word(&self.st.feed, at, self.st.dimensions.unit(), zero_keeps);
+            if let Some(feed) = self.core.made(feed)? {
+                self.st.feed.program(feed);
+            }
         }
-        self.stray_words(w)
-    }
-
-    fn stray_words(&mut self, w: &Words) -> Outcome {
-        match w.radius {
-            Some(at) => self.core.refuse(at.span, codes::P1003::r_has_no_meaning()),
+        if let Some(at) = w.tool {
+            self.tool_word(at, w.m().iter().any(|(number, _)| *number == 6))?;
+        }
+        match w.speed {
+            Some(at) => {
+                let spindle = spindle::speed(&mut self.st.spindle, at, limit, self.st.dimensions, settings);
+                if let Some(spindle) = self.core.made(spindle)? {
+                    self.core.send_function(&Function::Spindle(spindle), &self.st.ctx);
+                }
+                Ok(())
+            }
+            None if limit => self.core.refuse(w.g_spans[Group::Once as usize], codes::P1004::g92_needs_its_s()),
             None => Ok(()),
         }
     }
 
+    /// G04.
     #[cold]
-    fn check_p(&mut self, w: &Words) -> Outcome {
-        let (Some(at), None) = (w.program, w.flow.filter(|flow| flow.flow.takes_program())) else { return Ok(()) };
-        if w.g[Group::Once as usize].is_some() {
-            return self.core.refuse(at.span, codes::M9002::angle_p_of_offset_is_not_documented());
-        }
-        if self.st.motion.code() == Some(Motion::Thread) && !w.axes.known().is_empty() {
-            if at.value == 0.0 {
-                return Ok(());
-            }
-            return self.core.refuse(at.span, codes::M9002::start_angle_of_thread_has_no_word());
-        }
-        self.core.refuse(at.span, codes::P1003::p_has_no_meaning())
-    }
-
-    /// G04 stands alone with its F.
-    #[cold]
-    fn dwell_block(&mut self, w: &Words) -> Outcome {
-        let span = w.g_spans[Group::Once as usize];
-        let other_g = w.g.iter().filter(|g| g.is_some()).count() > 1;
-        let other = [w.speed, w.tool, w.program, w.radius, w.chamfer, w.rounding].iter().any(Option::is_some);
-        if other_g || other || w.has_centre() || !w.axes.known().is_empty() || !w.m().is_empty() || w.flow.is_some() {
-            return self.core.refuse(span, codes::P1003::g04_stands_beside_other_words());
-        }
-        self.dwell(w, span)?;
+    fn dwell(&mut self, w: &Words) -> Outcome {
+        let at = self.core.made(w.dwell_time())?;
+        self.core.reading(Reading::Dwell, at.span, codes::P8106::f_of_g04_counts_in_seconds);
+        let unit = if self.core.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };
+        self.core.send_function(&Function::Dwell(at.value * unit), &self.st.ctx);
         self.count_between()
     }
 
@@ -345,169 +347,107 @@ impl Run<'_> {
     fn modal_functions(&mut self, w: &Words) -> Outcome {
         // G62 beside G08 ends the exact stop first.
         for group in [Group::ExactStop, Group::Unit, Group::Diameter] {
-            if let Some((g, _)) = w.g[group as usize] {
-                self.modal(g, w.g_spans[group as usize], w)?;
+            if let Some((g, number)) = w.g[group as usize] {
+                self.modal(g, number, w.g_spans[group as usize], w)?;
             }
         }
         for (i, slot) in w.g.iter().enumerate() {
-            let Some((g, _)) = slot else { continue };
+            let Some((g, number)) = slot else { continue };
             if !matches!(g, G::ExactStop(_) | G::Inch(_) | G::Diameter(_)) {
-                self.modal(*g, w.g_spans[i], w)?;
+                self.modal(*g, *number, w.g_spans[i], w)?;
             }
         }
         Ok(())
     }
 
     #[inline]
-    fn modal(&mut self, g: G, span: Span, w: &Words) -> Outcome {
+    fn modal(&mut self, g: G, number: u32, span: Span, w: &Words) -> Outcome {
         match g {
             G::Motion(motion) => self.st.motion.program(motion),
             G::Plane(plane) => return self.set_plane(plane, span),
-            G::Incremental(on) => {
-                self.st.incremental = on;
-                self.st.dimension_said = true;
-            }
+            G::Incremental(on) => (self.st.dimensions.incremental, self.st.dimensions.said) = (on, true),
             G::Diameter(on) => {
-                self.st.diameter = on;
-                self.reading(Reading::DiameterCodes, span, codes::P8106::g16_switches_diameters_on);
+                self.st.dimensions.diameter = on;
+                let what = codes::P8106::g16_switches_diameters_on;
+                self.core.reading(Reading::DiameterCodes, span, what);
             }
-            G::Inch(on) => self.st.inch = on,
+            G::Inch(on) => self.st.dimensions.inch = on,
             G::Smooth if self.st.exact_stop => {
                 return self.core.refuse(span, codes::M2013::g08_cannot_be_programmed_while_g61());
             }
             G::ExactStop(on) => {
                 self.st.exact_stop = on;
-                self.function(Function::PathControl(on.then_some(PathControl::Exact)));
+                let control = Function::PathControl(on.then_some(PathControl::Exact));
+                self.core.send_function(&control, &self.st.ctx);
             }
             G::Side(side) => return self.set_side(side, span, w),
             G::Chamfers(on) => {
                 (self.st.transition.chamfers, self.st.transition.said) = (on, true);
                 if self.core.job.settings.output.compensation == Compensation::Control {
-                    self.without_geometry(if on { "G44" } else { "G43" }, span);
+                    self.core.without_geometry(&format!("G{number}"), span);
                 }
             }
-            G::Length(on) => return self.set_length(on, span),
+            G::Length(on) => {
+                if self.core.job.diags.first_time(codes::M8002, ()) {
+                    self.core.say(span, codes::M8002::has_no_word_in_output(&format_args!("G{number}")));
+                }
+                for letter in self.st.tool.chosen().filter(|_| on) {
+                    self.core.length_is_another(letter, span);
+                }
+                let [_, _, axis] = roles(self.st.ctx.plane);
+                return self.st.length.switch(on, axis, &self.core);
+            }
             G::Offset(offset) => return self.set_offset(offset, span),
             G::PerRevolution(on) => {
                 self.st.feed.switch(FeedKind::per_revolution(on));
                 self.st.feed_said = true;
             }
-            G::ConstantSpeed(on) => return self.spindle_mode(on, span, w),
-            G::Smooth => self.without_geometry("G8", span),
-            G::Nothing => {
-                let group = [Group::FollowingError, Group::Transition].into_iter().find(|group| {
-                    w.g[*group as usize].is_some_and(|(g, _)| g == G::Nothing) && w.g_spans[*group as usize] == span
-                });
-                if let Some((_, number)) = group.and_then(|group| w.g[group as usize]) {
-                    self.without_geometry(&format!("G{number}"), span);
-                }
+            G::ConstantSpeed(on) => {
+                return self.core.made_at(span, spindle::count(&mut self.st.spindle, on, w));
             }
+            G::Smooth | G::Nothing => self.core.without_geometry(&format!("G{number}"), span),
             G::Dwell | G::ShiftTo | G::ShiftBy | G::Name | G::Home | G::SpeedLimit => {}
         }
         Ok(())
     }
 
-    /// A block failed. What it says of the modal states holds for the next ones all the same, so that they are not
-    /// refused as well.
-    #[cold]
-    fn keep_modal(&mut self, block: &Block) {
-        self.st.motion.lose();
-        for word in &block.words {
-            let (Target::Letter(b'G'), Value::Literal(number)) = (word.target, word.value) else { continue };
-            if !(0.0..=999.0).contains(&number) || number.fract() != 0.0 {
-                continue;
-            }
-            match g_functions::entry(number as u32) {
-                Some((_, G::Motion(motion))) => self.st.motion.program(motion),
-                Some((_, G::Incremental(on))) => self.st.incremental = on,
-                Some((_, G::Diameter(on))) => self.st.diameter = on,
-                Some((_, G::Inch(on))) => self.st.inch = on,
-                Some((_, G::ExactStop(on))) => self.st.exact_stop = on,
-                Some((_, G::PerRevolution(on))) => self.st.feed.assume(FeedKind::per_revolution(on)),
-                _ => {}
-            }
-        }
-    }
-
-    /// G43 of the target adds the length of the tool to Z, whatever the plane.
-    fn length_acts_along_z(&self, plane: Plane, span: Span) -> Outcome {
-        let settings = &self.core.job.settings;
-        let none = self.st.tool.active().is_none_or(|number| number == 0);
-        if plane == Plane::Xy
-            || none
-            || !settings.output.prints_tool_length()
-            || settings.machine.kind == crate::machine::MachineKind::Lathe
-        {
-            return Ok(());
-        }
-        let [who, way] = settings.output.length_along_z();
-        self.core.refuse(
-            span,
-            codes::O9190::outside_g17_length_of_tool_does_not(&who, &way)
-                .answer(Answer::key("output", "tool_length").one_of(&["\"off\""])),
-        )
-    }
-
     fn set_plane(&mut self, plane: Plane, span: Span) -> Outcome {
-        if plane == self.st.plane {
+        if plane == self.st.ctx.plane {
             return Ok(());
         }
         if self.st.compensation.is_on() || self.st.corners.is_open() {
             return self.core.refuse(span, codes::P1003::working_plane_changes_inside_compensated_contour());
         }
-        self.length_acts_along_z(plane, span)?;
-        self.st.plane = plane;
+        self.core.made_at(span, self.st.tool.length_acts_along_z(plane, self.core.job.settings))?;
         self.st.corners.cannot_follow();
         self.st.ctx = Rc::new(Ctx { plane, ..(*self.st.ctx).clone() });
         Ok(())
     }
 
-    fn comment(&mut self, text: &[u8]) {
-        if let Some(comment) = self.core.comment_of(text) {
-            self.function(comment);
+    /// G40, G41, G42.
+    fn set_side(&mut self, side: Side, span: Span, w: &Words) -> Outcome {
+        let settings = self.core.job.settings;
+        if side != Side::None {
+            let Some(tool) = self.st.tool.active else {
+                return self.core.refuse(span, codes::M2012::path_compensation_without_tool());
+            };
+            if ![Side::None, side].contains(&self.st.compensation.sent()) {
+                return self.core.refuse(span, codes::P1003::g41_g42_follow_each_other_without_g40());
+            }
+            if settings.output.compensation == Compensation::Resolve {
+                let unit = if self.st.dimensions.inch { Unit::Inch } else { Unit::Mm };
+                self.core.job.calls_tool_in(unit, self.core.loc(span));
+                let rules = self.core.made_at(span, self.st.tool.rules(tool, self.st.ctx.plane, settings))?;
+                self.st.transition.begin();
+                compensate(&mut self.st.ctx, rules);
+                let says = w.g.iter().flatten().any(|(g, _)| matches!(g, G::Chamfers(_)));
+                if !(says || self.st.transition.said) {
+                    let what = codes::P8106::g43_is_in_force_at_start;
+                    self.core.reading(Reading::Transition, span, what);
+                }
+            }
         }
+        self.st.compensation.select(side);
+        Ok(())
     }
-
-    #[inline]
-    fn movement(&mut self, mv: &Move) {
-        self.core.send_move(mv, &self.st.ctx);
-    }
-
-    fn send_corner(&mut self, corner: &Corner) {
-        self.core.send_corner(corner, &self.st.ctx);
-    }
-
-    fn function(&mut self, function: Function) {
-        self.core.send_function(&function, &self.st.ctx);
-    }
-
-    /// Nobody knows where the tool is.
-    fn lost(&mut self) {
-        self.core.send_lost(&self.st.ctx);
-    }
-}
-
-/// The axis of each letter: the first three have names of the machine builder's choice, the others their own.
-fn axis_names(main: [Axis; 3]) -> [Option<Axis>; 26] {
-    let mut names = [None; 26];
-    let slot = |axis: Axis| axis.letter() as usize - 'A' as usize;
-    for axis in Axis::ALL.into_iter().filter(|axis| !axis.is_main()) {
-        names[slot(axis)] = Some(axis);
-    }
-    for (meaning, name) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(main) {
-        names[slot(name)] = Some(meaning);
-    }
-    names
-}
-
-/// Variables with their start values: `@50` and `@050` are the same.
-fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<Outcome<f64>>> {
-    let mut variables = vec![None; eval::VARIABLES];
-    for (name, value) in start {
-        let number = name.strip_prefix('@').and_then(|digits| digits.parse::<usize>().ok());
-        if let Some(slot) = number.and_then(|number| variables.get_mut(number)) {
-            *slot = Some(Ok(*value));
-        }
-    }
-    variables
 }

@@ -1,4 +1,5 @@
-//! Readings that no available manual confirms: each is said once per program, until the configuration confirms it.
+//! What is said once for each program: readings that no available manual confirms, until the configuration confirms them, and words
+//! that no path depends on.
 //!
 //! Source: M 13 (docs/sources.md).
 
@@ -9,34 +10,34 @@ use crate::diag::{Answer, codes};
 use crate::machine::options::mtc200::Reading;
 use crate::text::Span;
 
-use super::Run;
-use super::words::{Condition, Flow, Words};
+use super::Core;
+use super::eval::Condition;
+use super::words::{Flow, Words};
 
-impl Run<'_> {
+impl Core<'_> {
     /// Says a reading of ours, whose fault asks for its key; `span` is the word it is about.
     #[inline]
-    pub(super) fn reading(&mut self, reading: Reading, span: Span, asking: impl FnOnce(&dyn Display) -> Asking) {
-        if !self.confirmed.contains(&reading) {
-            self.say_reading(reading, span, asking(&reading.name()));
+    pub(super) fn reading(&self, reading: Reading, span: Span, asking: impl FnOnce(&dyn Display) -> Asking) {
+        let name = reading.name();
+        if self.job.settings.control.mtc200.confirmed.contains(&reading)
+            || !self.job.diags.first_time(codes::P8106, name)
+        {
+            return;
         }
-    }
-
-    #[cold]
-    fn say_reading(&mut self, reading: Reading, span: Span, asking: Asking) {
-        self.confirmed.push(reading);
-        let answer = Answer::item("control", "confirmed", format!("\"{}\"", reading.name()));
-        self.core.say(span, asking.answer(answer));
+        let answer = Answer::item("control", "confirmed", format!("\"{name}\""));
+        self.say(span, asking(&name).answer(answer));
     }
 
     /// G90 and G94 are in force at the start; where a program relies on that it shows at its first position or feed.
-    pub(super) fn relies_on_the_start(&mut self, said: bool, span: Span) {
-        if !said {
+    #[inline]
+    pub(super) fn relies_on_the_start(&self, said: &mut bool, span: Span) {
+        if !std::mem::replace(said, true) {
             self.reading(Reading::AtStart, span, codes::P8106::g90_and_g94_are_in_force);
         }
     }
 
     /// Words of the program flow that no page read describes.
-    pub(super) fn flow_reading(&mut self, flow: Flow, span: Span) {
+    pub(super) fn flow_reading(&self, flow: Flow, span: Span) {
         let what: fn(&dyn Display) -> Asking = match flow {
             Flow::Branch(Condition::Always) => codes::P8106::bra_goes_on_at_its_label,
             Flow::Branch(_) => codes::P8106::branches_look_at_last_assignment,
@@ -49,9 +50,16 @@ impl Run<'_> {
     }
 
     /// M functions of the standard set, which a machine builder may have given another meaning.
-    pub(super) fn m_reading(&mut self, w: &Words) {
+    pub(super) fn m_reading(&self, w: &Words) {
         if let Some(&(number, span)) = w.m().iter().find(|(number, _)| !matches!(number, 2 | 30)) {
             self.reading(Reading::MFunctions, span, |key| codes::M8005::m_functions_are_standard(&number, key));
+        }
+    }
+
+    /// A word of the control that no path depends on: noted once.
+    pub(super) fn without_geometry(&self, name: &str, span: Span) {
+        if self.job.diags.first_time(codes::M2703, name) {
+            self.say(span, codes::M2703::does_not_change_programmed_path(&name));
         }
     }
 }

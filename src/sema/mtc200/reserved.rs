@@ -1,6 +1,29 @@
 //! Words that no entry of `[control] machine_words` may name: they move the tool, or say where it goes and how fast.
 
+use super::Core;
 use super::g_functions::{self, G, Group};
+use super::words::is_of_flow;
+
+impl Core<'_> {
+    /// No entry of `machine_words` takes away what moves the tool.
+    pub(super) fn refuse_known_words(&self) {
+        let of_flow = |name: &str| is_of_flow(name).then_some("a word of the program flow");
+        let names = self.job.settings.control.mtc200.machine_words.keys();
+        let entries: Vec<(&str, &str)> =
+            names.filter_map(|name| Some((name.as_str(), reserved(name).or_else(|| of_flow(name))?))).collect();
+        let help = "take them out of the list: without them the tool would go another way, or the machine would not do what the program asks";
+        self.refuse_entries("[control] machine_words", &entries, help);
+        let words = self.job.settings.control.mtc200.machine_words.iter();
+        let printed: Vec<(String, &str)> = words
+            .filter_map(|(name, number)| Some((name, (*number)?)))
+            .filter_map(|(name, number)| Some((format!("{name} = M{number}"), reserved_m(number)?)))
+            .collect();
+        let printed: Vec<(&str, &str)> = printed.iter().map(|(entry, what)| (entry.as_str(), *what)).collect();
+        let help = "take them out: partc has to know of these functions, and would take the word for one that does nothing to the \
+                    path; write the M function itself into the program";
+        self.refuse_entries("[control] machine_words", &printed, help);
+    }
+}
 
 /// What the control does by this word, if it is one of motion, dimensions or coordinates; `name` is in capitals.
 pub(super) fn reserved(name: &str) -> Option<&'static str> {

@@ -8,13 +8,15 @@ use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::sema::common::compensation::Compensation;
 use crate::sema::common::feed::{FeedKind, ModalFeed};
 use crate::sema::common::position::Position;
+use crate::sema::common::spindle::{ModalSpindle, SpeedKind};
 use crate::sema::common::start::Start;
 
-use super::g_functions::Motion;
+use super::dimensions::Dimensions;
+use super::g_functions::{G, Motion};
 use super::length::Length;
-use super::m_functions::{SpindleState, ToolInUse};
-use super::offsets::OffsetState;
+use super::offsets::{Offset, OffsetState};
 use super::path::Corners;
+use super::tool::{ToolInUse, Transition};
 
 /// The kind of motion in force.
 #[derive(Debug, Clone, Copy, Default)]
@@ -43,17 +45,6 @@ impl MotionCode {
     }
 }
 
-/// From one element of a compensated contour to the next.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Transition {
-    /// G44.
-    pub chamfers: bool,
-    /// G43 or G44 was programmed.
-    pub said: bool,
-    /// Blocks since the last one that moves in the plane.
-    pub between: u32,
-}
-
 /// Everything that one block leaves to the next. Positions are mm (X: radius) and degrees in the
 /// programmed system.
 #[derive(Debug)]
@@ -61,24 +52,17 @@ pub(super) struct State {
     /// The number that the program wrote last is left alone by a changed offset.
     pub position: Position,
     pub motion: MotionCode,
-    /// G90 or G91, G94 or G95 was programmed.
-    pub dimension_said: bool,
-    pub feed_said: bool,
+    pub dimensions: Dimensions,
     pub length: Length,
-    pub plane: Plane,
-    /// G70.
-    pub inch: bool,
-    /// G16.
-    pub diameter: bool,
-    /// G91.
-    pub incremental: bool,
     /// G61.
     pub exact_stop: bool,
     pub feed: ModalFeed,
+    /// G94 or G95 was programmed.
+    pub feed_said: bool,
     pub compensation: Compensation,
     pub transition: Transition,
     pub offsets: OffsetState,
-    pub spindle: SpindleState,
+    pub spindle: ModalSpindle,
     pub tool: ToolInUse,
     pub corners: Corners,
     pub ctx: CtxRef,
@@ -94,32 +78,22 @@ impl State {
             start.complete(*axis, *value);
         }
         let written = start.position().known();
+        let inch = settings.control.unit == Some(Unit::Inch);
         State {
             position: Position::new(start),
             motion: MotionCode::default(),
-            dimension_said: false,
-            feed_said: false,
+            dimensions: Dimensions { inch, diameter, ..Dimensions::default() },
             length: Length::default(),
-            plane,
-            inch: settings.control.unit == Some(Unit::Inch),
-            diameter,
-            incremental: false,
             exact_stop: false,
             feed: ModalFeed::new(settings.control.feed, Some(FeedKind::PerMinute)),
+            feed_said: false,
             compensation: Compensation::default(),
             transition: Transition::default(),
             offsets: OffsetState::new(written),
-            spindle: SpindleState::default(),
+            spindle: ModalSpindle::counting(SpeedKind::Turns),
             tool: ToolInUse::default(),
             corners: Corners::default(),
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
-        }
-    }
-
-    /// How the compiler compensates from now on.
-    pub fn compensate(&mut self, rules: crate::ir::Compensation) {
-        if self.ctx.compensation.as_deref() != Some(&rules) {
-            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
         }
     }
 
@@ -129,8 +103,31 @@ impl State {
         self.position.not_lost(axes);
     }
 
-    /// Millimetres in one programmed unit.
-    pub fn unit(&self) -> f64 {
-        if self.inch { Unit::Inch.mm() } else { Unit::Mm.mm() }
+    /// A block that names `g` was refused: it holds for the next ones all the same, so that they are not refused as well.
+    pub fn assume(&mut self, g: G) {
+        match g {
+            G::Motion(motion) => self.motion.program(motion),
+            G::Incremental(on) => self.dimensions.incremental = on,
+            G::Diameter(on) => self.dimensions.diameter = on,
+            G::Inch(on) => self.dimensions.inch = on,
+            G::ExactStop(on) => self.exact_stop = on,
+            G::PerRevolution(on) => self.feed.assume(FeedKind::per_revolution(on)),
+            _ => {}
+        }
+    }
+
+    /// All modal states as at the start; the tool stays where it is, and so does the work offset.
+    pub fn reset(&mut self, settings: &Settings) {
+        let old = std::mem::replace(self, State::new(settings));
+        // The end of a program cancels the programmed offset: positions count from the work offset again.
+        self.position = old.position;
+        self.position.through_frame(&old.ctx.frame, &self.ctx.frame);
+        self.offsets.forget_written();
+        self.tool = old.tool;
+        if old.offsets.offset() != Offset::Start {
+            // Which offset is in force now depends on the machine, and the output still has the old one.
+            self.offsets.reset();
+            self.forget(self.position.at().known());
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::diag::{Answer, codes};
 use crate::parser::mtc200::problem::{self, is_system_function};
 use crate::text::Span;
 
-use super::Run;
+use super::Core;
 use super::g_functions::Group;
 use super::reserved::{reserved, reserved_m};
 use super::words::{Strange, Words};
@@ -19,27 +19,42 @@ impl Words {
     }
 }
 
-impl Run<'_> {
+impl Core<'_> {
     /// The words of the machine of a block, when all its words are known.
     #[cold]
-    pub(super) fn settle_strange(&mut self, w: &mut Words) {
+    pub(super) fn settle_strange(&self, w: &mut Words) {
         let loose = w.has_loose_words();
         for word in std::mem::take(&mut w.strange) {
-            self.settle_one(w, &word, loose);
+            if loose || !self.declares(w, &word.name, word.span) {
+                self.refuse_strange(&word, loose);
+            }
         }
     }
 
-    fn settle_one(&mut self, w: &mut Words, word: &Strange, loose: bool) {
-        let Strange { name, span, .. } = word;
-        if !loose && self.declared(w, name, *span) {
-            return;
+    /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
+    pub(super) fn declares(&self, w: &mut Words, name: &str, span: Span) -> bool {
+        let Some(printed) = self.job.settings.control.mtc200.machine_words.get(name) else { return false };
+        if reserved(name).is_some() {
+            // The entry is refused at the top of the program.
+            return false;
         }
+        match *printed {
+            // The entry is refused at the top of the program.
+            Some(number) if reserved_m(number).is_some() => {}
+            Some(number) => w.print_m(number, span),
+            None if self.job.diags.first_time(codes::M2702, name) => self.say(span, codes::M2702::is_left_out(&name)),
+            None => {}
+        }
+        true
+    }
+
+    fn refuse_strange(&self, word: &Strange, loose: bool) {
+        let Strange { name, span, .. } = word;
         let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");
         if !word.is_g
             && let Some((what, help)) = known_word(&shown)
         {
-            self.core.report(codes::M9002::is_not_supported(&shown, &what).at(self.core.loc(*span)).help(help));
-            return;
+            return self.say(*span, codes::M9002::is_not_supported(&shown, &what).help(help));
         }
         // Reported once at the word: the rest of the block still says where the axes go.
         let answer = || Answer::item("control", "machine_words", format!("\"{shown}\""));
@@ -49,26 +64,7 @@ impl Run<'_> {
             (false, true) => codes::M9002::is_no_word_beside_words(&shown),
             (false, false) => codes::M9002::is_no_word_that_is_known(&shown).answer(answer()),
         };
-        self.core.say(*span, fault);
-    }
-
-    /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
-    pub(super) fn declared(&mut self, w: &mut Words, name: &str, span: Span) -> bool {
-        let Some(printed) = self.core.job.settings.control.mtc200.machine_words.get(name) else { return false };
-        if reserved(name).is_some() {
-            // The entry is refused at the top of the program.
-            return false;
-        }
-        match *printed {
-            // The entry is refused at the top of the program.
-            Some(number) if reserved_m(number).is_some() => {}
-            Some(number) => w.print_m(number, span),
-            None if self.noted.insert(name.to_owned()) => {
-                self.core.report(codes::M2702::is_left_out(&name).at(self.core.loc(span)));
-            }
-            None => {}
-        }
-        true
+        self.say(*span, fault);
     }
 }
 

@@ -3,41 +3,34 @@
 use crate::parser::mtc200::ast::{Block, Op, Stmt, Target, Value};
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
-use crate::sema::run::survey::{Notes, Surveyed, Visitor, What};
-use crate::sema::run::unexecuted::{Blocks, Numbers};
-use crate::text::{FileId, Loc, Span};
+use crate::sema::run::survey::{Notes, Visitor, What};
+use crate::sema::run::unexecuted::Passed;
+use crate::sema::run::{Shown, Shows, survey_file};
+use crate::text::FileId;
 
 use super::Mtc200;
 
 /// Leads `visitor` through a file.
 pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
-    let start = Loc { file, line: 1, span: Span::default() };
-    let Some(mut blocks) = Blocks::<Mtc200>::open(job, file, start) else { return };
-    let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
-    let mut numbers = Numbers::default();
-    loop {
-        let Some(passed) = blocks.next_for(job, &mut symbols, visitor, &mut numbers) else { return };
-        let is_bad = passed.block.stmt == Stmt::Bad || !passed.problems.is_empty();
-        let (block, text, site) = (passed.block, passed.text, passed.site);
-        notes.clear();
+    survey_file::<Mtc200>(job, file, visitor);
+}
+
+impl Shows for Mtc200 {
+    type Before = ();
+
+    fn show(passed: &Passed<'_, Mtc200>, symbols: &Symbols, _: &mut (), items: bool, notes: &mut Notes) -> Shown {
+        let block = passed.block;
         notes.comments.extend_from_slice(&block.comments);
-        if visitor.items() {
-            note(block, &symbols, &mut notes);
+        if items {
+            note(block, symbols, notes);
         }
-        let surveyed = Surveyed {
-            text,
-            site,
+        Shown {
             number: block.number,
             skip: block.skip,
             words: block.span,
             is_empty: matches!(block.stmt, Stmt::Empty | Stmt::Header(_)) && block.label.is_none(),
-            is_bad,
-            comments: &notes.comments,
-            items: &notes.items,
-            passed: numbers.passed,
-        };
-        numbers.see(surveyed.number);
-        visitor.block(&surveyed, job);
+            is_bad: block.stmt == Stmt::Bad,
+        }
     }
 }
 

@@ -5,10 +5,15 @@ use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::parser::mtc200::ast::{Block, Target, Value, Word};
 use crate::parser::symbols::Symbol;
+use crate::sema::run::refusal::{Made, refused};
 use crate::text::{Span, decode::readable};
 
-use super::g_functions::{self, G, GROUPS};
-use super::{Outcome, Run};
+use super::eval::{Computing, Condition};
+use super::g_functions::{self, G, GROUPS, Group, Motion};
+use super::{Core, Outcome};
+
+/// Longest time of G04, as written.
+const MOST_DWELL: f64 = 1e6;
 
 /// Most M functions and words of the machine of a block.
 const MOST_M: usize = 8;
@@ -33,15 +38,6 @@ pub(super) enum Flow {
     JumpProgram,
     CallProgram,
     Reverse,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Condition {
-    Always,
-    Zero,
-    NotZero,
-    NotNegative,
-    Negative,
 }
 
 impl Flow {
@@ -98,24 +94,12 @@ pub(super) struct Words {
 }
 
 impl Words {
-    fn clear(&mut self) {
-        self.g = [None; GROUPS];
-        self.axes.clear();
-        self.axes_span = Span::default();
-        self.centre = [None; 3];
-        self.centre_span = Span::default();
-        self.radius = None;
-        self.feed = None;
-        self.speed = None;
-        self.tool = None;
-        self.program = None;
-        self.chamfer = None;
-        self.rounding = None;
-        self.flow = None;
-        self.silent = [None; 3];
-        self.m.clear();
-        self.aux.clear();
-        self.strange.clear();
+    /// Room for the next block.
+    pub fn clear(&mut self) {
+        let [mut m, mut aux] = [std::mem::take(&mut self.m), std::mem::take(&mut self.aux)];
+        m.clear();
+        aux.clear();
+        *self = Words { m, aux, ..Words::default() };
     }
 
     pub(super) fn print_m(&mut self, number: u32, span: Span) {
@@ -149,241 +133,299 @@ fn is_exponent(span: Span, text: &[u8]) -> bool {
     number > 0 && letter.is_some_and(|b| b"XYZUVWABCIJKRF".contains(&b.to_ascii_uppercase()))
 }
 
-impl Run<'_> {
-    /// Evaluates the words of a block.
-    pub(super) fn gather(&mut self, block: &Block, text: &[u8]) -> Outcome<Box<Words>> {
-        let mut w = self.words.take().unwrap_or_default();
-        w.clear();
-        let sorted = block.words.iter().try_for_each(|word| self.sort_in(&mut w, word, block, text));
-        if !w.strange.is_empty() {
-            self.settle_strange(&mut w);
+impl At {
+    /// The whole number of a word.
+    #[inline]
+    pub fn whole(self, letter: &str) -> Made<u32> {
+        if (0.0..=1e6).contains(&self.value) && self.value.fract() == 0.0 {
+            return Ok(self.value as u32);
         }
-        sorted.map(|()| w)
+        refused(self.span, codes::M2401::takes_whole_number(&letter, &self.value))
+    }
+}
+
+/// The axis of each letter: the first three have names of the machine builder's choice, the others their own.
+#[derive(Debug)]
+pub(super) struct AxisNames([Option<Axis>; 26]);
+
+impl AxisNames {
+    pub fn new(main: [Axis; 3]) -> AxisNames {
+        let mut names = [None; 26];
+        let slot = |axis: Axis| axis.letter() as usize - 'A' as usize;
+        for axis in Axis::ALL.into_iter().filter(|axis| !axis.is_main()) {
+            names[slot(axis)] = Some(axis);
+        }
+        for (meaning, name) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(main) {
+            names[slot(name)] = Some(meaning);
+        }
+        AxisNames(names)
     }
 
     #[inline]
-    fn sort_in(&mut self, w: &mut Words, word: &Word, block: &Block, text: &[u8]) -> Outcome {
-        let Target::Letter(letter) = word.target else { return self.sort_name(w, word, block, text) };
-        let value = self.number(word, block)?;
-        if let Some(axis) = self.axis_of(letter) {
-            if w.axes.get(axis).is_some() {
-                self.twice(letter as char, word.span)?;
-            }
-            w.axes.set(axis, value);
-            w.axes_span = if w.axes_span.is_empty() { word.span } else { w.axes_span.to(word.span) };
-            return Ok(());
-        }
+    fn of(&self, letter: u8) -> Option<Axis> {
+        self.0[usize::from(letter.wrapping_sub(b'A')).min(25)]
+    }
+}
+
+/// D or E: it chooses what else counts of the tool.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ToolData {
+    pub letter: char,
+    pub number: u32,
+    pub at: At,
+}
+
+/// A block whose words are evaluated.
+#[derive(Clone, Copy)]
+pub(super) struct Written<'b> {
+    pub block: &'b Block,
+    pub text: &'b [u8],
+    pub axes: &'b AxisNames,
+}
+
+impl Words {
+    /// Takes in one word of a block. D and E come back: what they choose counts before the next word does.
+    #[inline]
+    pub fn sort_in(
+        &mut self,
+        word: &Word,
+        written: Written<'_>,
+        from: &mut Computing<'_, '_>,
+    ) -> Outcome<Option<ToolData>> {
+        let Target::Letter(letter) = word.target else { return self.sort_name(word, written, from).map(|()| None) };
+        let value = from.number(word, written.block)?;
         let at = At { value, span: word.span };
-        let slot = match letter {
-            b'G' => return self.sort_g(w, at),
-            b'M' => return self.sort_m(w, at),
-            b'I' | b'J' | b'K' => {
-                let slot = &mut w.centre[usize::from(letter - b'I')];
-                w.centre_span = if w.centre_span.is_empty() { word.span } else { w.centre_span.to(word.span) };
-                if slot.replace(value).is_some() {
-                    self.twice(letter as char, word.span)?;
+        let seen = if let Some(axis) = written.axes.of(letter) {
+            let seen = self.axes.get(axis).is_some();
+            self.axes.set(axis, value);
+            self.axes_span = if self.axes_span.is_empty() { word.span } else { self.axes_span.to(word.span) };
+            seen
+        } else {
+            let slot = match letter {
+                b'G' => return self.sort_g(at, from).map(|()| None),
+                b'M' => return self.sort_m(at, from).map(|()| None),
+                b'I' | b'J' | b'K' => {
+                    let seen = self.centre[usize::from(letter - b'I')].replace(value).is_some();
+                    self.centre_span =
+                        if self.centre_span.is_empty() { word.span } else { self.centre_span.to(word.span) };
+                    return from.core.unless_twice(seen, letter as char, word.span).map(|()| None);
                 }
-                return Ok(());
-            }
-            b'F' => &mut w.feed,
-            b'S' => &mut w.speed,
-            b'R' => &mut w.radius,
-            b'T' => &mut w.tool,
-            b'P' => &mut w.program,
-            b'E' if is_exponent(word.span, text) => {
-                return self.core.refuse(word.span, codes::M9002::e_behind_number_looks_like_exponent());
-            }
-            b'D' | b'E' => {
-                let number = self.whole(at, if letter == b'D' { "D" } else { "E" })?;
-                if !self.counts_in_length(letter as char, number, word.span) {
-                    self.without_geometry(if letter == b'D' { "D" } else { "E" }, word.span);
+                b'F' => &mut self.feed,
+                b'S' => &mut self.speed,
+                b'R' => &mut self.radius,
+                b'T' => &mut self.tool,
+                b'P' => &mut self.program,
+                b'E' if is_exponent(word.span, written.text) => {
+                    return from.core.refuse(word.span, codes::M9002::e_behind_number_looks_like_exponent());
                 }
-                self.tool_data_word(letter, number, word.span)?;
-                &mut w.silent[usize::from(letter - b'D')]
-            }
-            _ => return self.machine_word(w, word.span, text),
+                b'D' | b'E' => {
+                    let number = from.core.made(at.whole(if letter == b'D' { "D" } else { "E" }))?;
+                    return Ok(Some(ToolData { letter: letter as char, number, at }));
+                }
+                _ => {
+                    self.machine_word(word.span, written.text);
+                    return Ok(None);
+                }
+            };
+            slot.replace(at).is_some()
         };
-        if slot.replace(at).is_some() {
-            self.twice(letter as char, word.span)?;
-        }
-        Ok(())
+        from.core.unless_twice(seen, letter as char, word.span).map(|()| None)
     }
 
-    /// The axis that a letter names.
-    #[inline]
-    fn axis_of(&self, letter: u8) -> Option<Axis> {
-        self.axis_names[usize::from(letter.wrapping_sub(b'A')).min(25)]
-    }
-
-    #[cold]
-    fn twice(&mut self, letter: char, span: Span) -> Outcome {
-        if self.core.job.settings.control.mtc200.last_word_counts {
-            return Ok(());
-        }
-        self.core.refuse(
-            span,
-            codes::P1002::stands_twice_in_this_block(&letter)
-                .answer(Answer::key("control", "repeated_words").one_of(&["\"last\""])),
-        )
+    /// Takes D or E in, once it has acted.
+    pub fn take_in(&mut self, data: &ToolData, core: &Core<'_>) -> Outcome {
+        let seen = self.silent[usize::from(data.letter == 'E')].replace(data.at).is_some();
+        core.unless_twice(seen, data.letter, data.at.span)
     }
 
     #[inline]
-    fn sort_g(&mut self, w: &mut Words, at: At) -> Outcome {
-        let number = self.whole(at, "G")?;
-        if matches!(number, 6..=9 | 47 | 48 | 61 | 62) && self.declared(w, &format!("G{number}"), at.span) {
+    fn sort_g(&mut self, at: At, from: &mut Computing<'_, '_>) -> Outcome {
+        let number = from.core.made(at.whole("G"))?;
+        if matches!(number, 6..=9 | 47 | 48 | 61 | 62) && from.core.declares(self, &format!("G{number}"), at.span) {
             return Ok(());
         }
-        let Some((group, g)) = g_functions::entry(number) else { return self.unknown_g(w, number, at.span) };
-        let slot = &mut w.g[group as usize];
-        match slot {
-            Some((_, first)) if *first != number => {
-                let first = *first;
-                self.core.refuse(at.span, codes::M1005::g_contradicts_g_of_same_block(&number, &first))
+        let Some((group, g)) = g_functions::entry(number) else {
+            self.unknown_g(number, at.span, from.core);
+            return Ok(());
+        };
+        match self.g[group as usize] {
+            Some((_, first)) if first != number => {
+                from.core.refuse(at.span, codes::M1005::g_contradicts_g_of_same_block(&number, &first))
             }
-            Some(_) => self.twice('G', at.span),
+            Some(_) => from.core.unless_twice(true, 'G', at.span),
             None => {
-                *slot = Some((g, number));
-                w.g_spans[group as usize] = at.span;
+                self.g[group as usize] = Some((g, number));
+                self.g_spans[group as usize] = at.span;
                 Ok(())
             }
         }
     }
 
     #[cold]
-    fn unknown_g(&mut self, w: &mut Words, number: u32, span: Span) -> Outcome {
+    fn unknown_g(&mut self, number: u32, span: Span, core: &Core<'_>) {
         let name = format!("G{number}");
-        if let Some(what) = g_functions::refused(number) {
-            let help = g_functions::instead(number);
-            self.core.report(codes::P9011::is_not_supported_2(&name, &what).at(self.core.loc(span)).help(help));
-            return Ok(());
+        match g_functions::refused(number) {
+            Some(what) => {
+                core.say(span, codes::P9011::is_not_supported_2(&name, &what).help(g_functions::instead(number)));
+            }
+            None => self.strange.push(Strange { name, span, is_g: true }),
         }
-        w.strange.push(Strange { name, span, is_g: true });
-        Ok(())
     }
 
-    fn sort_m(&mut self, w: &mut Words, at: At) -> Outcome {
-        let number = self.whole(at, "M")?;
-        if !self.core.job.settings.control.mtc200.machine_words.is_empty()
-            && self.declared(w, &format!("M{number}"), at.span)
+    fn sort_m(&mut self, at: At, from: &mut Computing<'_, '_>) -> Outcome {
+        let number = from.core.made(at.whole("M"))?;
+        if !from.core.job.settings.control.mtc200.machine_words.is_empty()
+            && from.core.declares(self, &format!("M{number}"), at.span)
         {
             return Ok(());
         }
-        if w.m.iter().any(|(m, _)| *m == number) {
-            return self.twice('M', at.span);
+        if self.m.iter().any(|(m, _)| *m == number) {
+            return from.core.unless_twice(true, 'M', at.span);
         }
-        if w.m.len() >= MOST_M {
-            return self.core.refuse(at.span, codes::P1005::more_than_m_functions_in_one_block(&MOST_M));
+        if self.m.len() >= MOST_M {
+            return from.core.refuse(at.span, codes::P1005::more_than_m_functions_in_one_block(&MOST_M));
         }
-        w.m.push((number, at.span));
+        self.m.push((number, at.span));
         Ok(())
     }
 
     /// Names, variables and everything rare.
-    fn sort_name(&mut self, w: &mut Words, word: &Word, block: &Block, text: &[u8]) -> Outcome {
+    fn sort_name(&mut self, word: &Word, written: Written<'_>, from: &mut Computing<'_, '_>) -> Outcome {
         let symbol = match word.target {
             Target::Name(symbol) => symbol,
             Target::Variable(_) => {
-                return self.core.refuse(word.span, codes::M1011::variable_is_assigned_in_block_with_other());
+                return from.core.refuse(word.span, codes::M1011::variable_is_assigned_in_block_with_other());
             }
-            Target::Numbered(..) | Target::Letter(_) => return self.machine_word(w, word.span, text),
+            Target::Numbered(..) | Target::Letter(_) => {
+                self.machine_word(word.span, written.text);
+                return Ok(());
+            }
         };
-        let name = self.core.symbols.name(symbol).to_owned();
-        match name.as_str() {
-            "CF" => self.corner_word(|w| &mut w.chamfer, w, word, block, "CF"),
-            "RD" => self.corner_word(|w| &mut w.rounding, w, word, block, "RD"),
+        let core = from.core;
+        let has_value = !matches!(word.value, Value::None | Value::Label(_));
+        match core.symbols.name(symbol) {
+            name @ ("CF" | "RD") => {
+                if !has_value {
+                    return core.refuse(word.span, codes::M1003::has_no_value(&name));
+                }
+                let value = from.number(word, written.block)?;
+                if self.chamfer.is_some() || self.rounding.is_some() {
+                    return core.refuse(word.span, codes::P1002::one_corner_takes_one_cf_or_rd());
+                }
+                let slot = if name == "CF" { &mut self.chamfer } else { &mut self.rounding };
+                *slot = Some(At { value, span: word.span });
+            }
             "ACC" => {
-                if matches!(word.value, Value::None | Value::Label(_)) {
-                    return self.core.refuse(word.span, codes::M1003::acc_has_no_value());
+                if !has_value {
+                    return core.refuse(word.span, codes::M1003::acc_has_no_value());
                 }
-                let value = self.number(word, block)?;
-                if w.silent[2].replace(At { value, span: word.span }).is_some() {
-                    return self.core.refuse(word.span, codes::P1002::acc_stands_twice_in_this_block());
+                let value = from.number(word, written.block)?;
+                if self.silent[2].replace(At { value, span: word.span }).is_some() {
+                    return core.refuse(word.span, codes::P1002::acc_stands_twice_in_this_block());
                 }
-                self.without_geometry("ACC", word.span);
-                Ok(())
+                core.without_geometry("ACC", word.span);
             }
             name => match flow_word(name) {
-                Some(flow) => self.sort_flow(w, flow, word, text),
+                Some(flow) => return core.made(self.sort_flow(flow, word, written.text)),
                 None if FOREIGN.contains(&name) => {
-                    self.core.report(codes::M9003::depends_on_running_machine(&name).at(self.core.loc(word.span)));
-                    Ok(())
+                    core.say(word.span, codes::M9003::depends_on_running_machine(&name));
                 }
-                None => self.machine_word(w, word.span, text),
+                None => self.machine_word(word.span, written.text),
             },
         }
-    }
-
-    fn corner_word(
-        &mut self,
-        slot: fn(&mut Words) -> &mut Option<At>,
-        w: &mut Words,
-        word: &Word,
-        block: &Block,
-        name: &str,
-    ) -> Outcome {
-        if matches!(word.value, Value::None | Value::Label(_)) {
-            return self.core.refuse(word.span, codes::M1003::has_no_value(&name));
-        }
-        let value = self.number(word, block)?;
-        if w.chamfer.is_some() || w.rounding.is_some() {
-            return self.core.refuse(word.span, codes::P1002::one_corner_takes_one_cf_or_rd());
-        }
-        *slot(w) = Some(At { value, span: word.span });
         Ok(())
     }
 
-    fn sort_flow(&mut self, w: &mut Words, flow: Flow, word: &Word, text: &[u8]) -> Outcome {
+    fn sort_flow(&mut self, flow: Flow, word: &Word, text: &[u8]) -> Made {
+        let name = || readable(word.span.of(text)).into_owned();
         let label = match word.value {
             Value::None => None,
             Value::Label(label) => Some(label),
             Value::Literal(_) | Value::Formula(_) => {
-                let name = readable(word.span.of(text)).into_owned();
-                return self.core.refuse(word.span, codes::P1001::takes_no_value(&name));
+                return refused(word.span, codes::P1001::takes_no_value(&name()));
             }
         };
         let wants = matches!(flow, Flow::StopAndBranch | Flow::Branch(_) | Flow::Call | Flow::Reverse);
-        if wants != label.is_some() {
-            let name = readable(word.span.of(text)).into_owned();
-            return match label {
-                None => self.core.refuse(word.span, codes::P1004::names_no_label(&name)),
-                Some(_) => self.core.refuse(word.span, codes::P1003::no_label_belongs(&name)),
-            };
+        match label {
+            None if wants => return refused(word.span, codes::P1004::names_no_label(&name())),
+            Some(_) if !wants => return refused(word.span, codes::P1003::no_label_belongs(&name())),
+            _ => {}
         }
-        if w.flow.is_some() {
-            return self.core.refuse(word.span, codes::P1003::two_words_of_one_block_say());
+        if self.flow.is_some() {
+            return refused(word.span, codes::P1003::two_words_of_one_block_say());
         }
-        w.flow = Some(FlowWord { flow, label, span: word.span });
+        self.flow = Some(FlowWord { flow, label, span: word.span });
         Ok(())
     }
 
     /// A word that only the machine builder knows.
     #[cold]
-    fn machine_word(&mut self, w: &mut Words, span: Span, text: &[u8]) -> Outcome {
+    fn machine_word(&mut self, span: Span, text: &[u8]) {
         let name = readable(span.of(text)).to_ascii_uppercase();
-        w.strange.push(Strange { name, span, is_g: false });
-        Ok(())
+        self.strange.push(Strange { name, span, is_g: false });
     }
 
-    /// A word of the control that no path depends on: noted once.
-    pub(super) fn without_geometry(&mut self, name: &str, span: Span) {
-        if self.noted.contains(name) {
-            return;
+    /// Words of the path where nothing moves: no function takes R, and beside one that takes axis words none takes I, J and K.
+    pub fn no_path_words(&self, beside: bool) -> Made {
+        if beside && self.has_centre() {
+            return refused(self.centre_span, codes::P1003::i_j_k_have_no_meaning());
         }
-        self.noted.insert(name.to_owned());
-        self.core.report(codes::M2703::does_not_change_programmed_path(&name).at(self.core.loc(span)));
+        match self.radius {
+            Some(at) => refused(at.span, codes::P1003::r_has_no_meaning()),
+            None => Ok(()),
+        }
     }
 
-    /// The whole number of a word.
+    /// P belongs to a program, or is an angle that no output has.
+    #[cold]
+    pub fn check_p(&self, motion: Option<Motion>) -> Made {
+        let (Some(at), None) = (self.program, self.flow.filter(|flow| flow.flow.takes_program())) else {
+            return Ok(());
+        };
+        if self.g[Group::Once as usize].is_some() {
+            return refused(at.span, codes::M9002::angle_p_of_offset_is_not_documented());
+        }
+        if motion == Some(Motion::Thread) && !self.axes.known().is_empty() {
+            if at.value == 0.0 {
+                return Ok(());
+            }
+            return refused(at.span, codes::M9002::start_angle_of_thread_has_no_word());
+        }
+        refused(at.span, codes::P1003::p_has_no_meaning())
+    }
+
+    /// The time of G04, which stands alone with its F.
+    #[cold]
+    pub fn dwell_time(&self) -> Made<At> {
+        let span = self.g_spans[Group::Once as usize];
+        let other_g = self.g.iter().filter(|g| g.is_some()).count() > 1;
+        let other = [self.speed, self.tool, self.program, self.radius, self.chamfer, self.rounding];
+        let other = other_g || other.iter().any(Option::is_some) || self.flow.is_some() || !self.m.is_empty();
+        if other || self.has_centre() || !self.axes.known().is_empty() {
+            return refused(span, codes::P1003::g04_stands_beside_other_words());
+        }
+        match self.feed {
+            None => refused(span, codes::P1004::g04_needs_its_time()),
+            Some(at) if !(0.0..=MOST_DWELL).contains(&at.value) => {
+                refused(at.span, codes::M2705::dwell_time(&at.value))
+            }
+            Some(at) => Ok(at),
+        }
+    }
+}
+
+impl Core<'_> {
+    /// A word that the block has already, unless the last one counts.
     #[inline]
-    pub(super) fn whole(&mut self, at: At, letter: &str) -> Outcome<u32> {
-        if (0.0..=1e6).contains(&at.value) && at.value.fract() == 0.0 {
-            return Ok(at.value as u32);
+    fn unless_twice(&self, seen: bool, letter: char, span: Span) -> Outcome {
+        if !seen || self.job.settings.control.mtc200.last_word_counts {
+            return Ok(());
         }
-        self.core.refuse(at.span, codes::M2401::takes_whole_number(&letter, &at.value))
-    }
-
-    pub(super) fn put_back(&mut self, w: Box<Words>) {
-        self.words = Some(w);
+        self.refuse(
+            span,
+            codes::P1002::stands_twice_in_this_block(&letter)
+                .answer(Answer::key("control", "repeated_words").one_of(&["\"last\""])),
+        )
     }
 }
 

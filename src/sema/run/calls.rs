@@ -1,6 +1,9 @@
 //! Calls: programs are opened, levels entered and left.
 
+use std::fmt::Display;
+
 use crate::diag::{CallPath, Diagnostic, Fault, codes};
+use crate::machine::tree::did_you_mean;
 use crate::sema::Outcome;
 use crate::text::{FileId, Loc, Place, Request};
 
@@ -8,6 +11,13 @@ use super::Language;
 use super::core::Core;
 use super::files::{Wanted, find_program, is_nowhere, open_program};
 use super::level::{Level, Program};
+
+/// The name that is most like one that is not there.
+pub fn like<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<String> {
+    let mut names: Vec<&str> = names.collect();
+    names.sort_unstable();
+    did_you_mean(name, names).map(str::to_owned)
+}
 
 /// Calls of a cycle that are named.
 const MOST_CALLS: usize = 4;
@@ -73,6 +83,21 @@ impl<L: Language> Core<'_, L> {
         self.levels.push(Level { program, back, call, site, frame });
         self.budget.jump(site);
         self.seek(to)
+    }
+
+    /// The same, unless calls are nested deeper than `most` or the configuration allow: `fault` says so of the number.
+    pub fn enter_within(
+        &mut self,
+        most: usize,
+        fault: fn(&dyn Display) -> Fault,
+        (program, to): (usize, Place),
+        frame: L::Frame,
+    ) -> Outcome {
+        let most = most.min(self.job.settings.limits.call_depth);
+        if self.levels.len() > most {
+            return self.too_deep(fault(&most));
+        }
+        self.enter(program, to, frame)
     }
 
     /// Goes back to where the level was called, and hands out what it held.

@@ -99,7 +99,7 @@ impl<L: Language> Core<'_, L> {
     }
 
     /// Hash of the text of the main program.
-    pub fn hash(&mut self) -> u64 {
+    pub(super) fn hash(&mut self) -> u64 {
         let sources = self.job.sources;
         self.programs.first_mut().and_then(|main| main.source.cursor.content_hash(sources).ok()).unwrap_or(0)
     }
@@ -294,7 +294,20 @@ impl<L: Language> Core<'_, L> {
     }
 
     pub fn send_corner(&mut self, corner: &Corner, ctx: &CtxRef) {
-        self.out.corner(corner, ctx, &self.here.origin);
+        let origin = self.here.origin;
+        self.send_corner_of(corner, ctx, &origin);
+    }
+
+    /// A corner of another block than the one in hand.
+    pub fn send_corner_of(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin) {
+        self.out.corner(corner, ctx, origin);
+    }
+
+    /// A comment of the program, where the output shows them.
+    pub fn send_comment(&mut self, text: &[u8], ctx: &CtxRef) {
+        if let Some(comment) = self.comment_of(text) {
+            self.send_function(&comment, ctx);
+        }
     }
 
     pub fn send_function(&mut self, function: &Function, ctx: &CtxRef) {

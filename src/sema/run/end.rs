@@ -1,7 +1,9 @@
 //! Where a file ends without an end of program: most often it was cut off in transfer.
 
+use std::ops::ControlFlow;
+
 use crate::diag::{Answer, codes};
-use crate::text::{Loc, Span};
+use crate::text::{Loc, Next, Span};
 
 use super::Language;
 use super::core::Core;
@@ -32,6 +34,26 @@ impl<L: Language> Core<'_, L> {
         let place = source.cursor.place();
         let span = Span::at(place.at.saturating_sub(1), 1);
         Loc { file: source.file, line: place.line.saturating_sub(1).max(1), span }
+    }
+
+    /// The first thing behind the end of a program in its file: `found` says which words of a block are one, and may end the search.
+    pub fn first_behind(
+        &mut self,
+        program: usize,
+        mut found: impl FnMut(&[u8]) -> ControlFlow<Option<Span>>,
+    ) -> Option<Loc> {
+        let sources = self.job.sources;
+        let source = &mut self.programs[program].source;
+        loop {
+            let (file, block) = match source.cursor.next(sources) {
+                Ok(Next::Block(block)) => (source.file, block),
+                Ok(Next::TooLong { .. }) => continue,
+                Ok(Next::End) | Err(_) => return None,
+            };
+            if let ControlFlow::Break(words) = found(block.text) {
+                return words.map(|words| Loc { file, line: block.line, span: words.shifted(block.at) });
+            }
+        }
     }
 
     /// Is the main program one between two lines of `%`? The second one ends the file, as it ended a tape (LinuxCNC User Manual,

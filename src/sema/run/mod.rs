@@ -16,10 +16,12 @@ mod nowhere;
 pub mod place;
 mod printed;
 mod prints;
+pub mod refusal;
 mod report;
 mod site;
 mod source;
 pub mod survey;
+mod surveying;
 pub mod unexecuted;
 
 use crate::diag::Code;
@@ -27,6 +29,7 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
+pub use self::calls::like;
 pub use self::core::Core;
 pub use self::files::{Wanted, no_root, not_opened, open_cursor, open_program, refused};
 pub use self::level::{Level, Program};
@@ -35,6 +38,7 @@ pub use self::printed::OffsetName;
 pub use self::report::Where;
 pub use self::site::Site;
 pub use self::source::{Parsed, Read};
+pub use self::surveying::{Shown, Shows, survey_file};
 
 /// How the text of a program becomes blocks. The value holds what reading needs besides the symbols: most languages
 /// need nothing.
@@ -120,16 +124,16 @@ pub trait Interpreter<'a> {
     fn finish(&mut self) {}
 }
 
-/// Runs the main program to its end; false if it cannot be opened.
-pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
-    let Some(program) = run.core().open_main() else { return false };
+/// Runs the main program to its end. Returns the hash of its text, 0 where it cannot be opened.
+pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> u64 {
+    let Some(program) = run.core().open_main() else { return 0 };
     let level = run.begin(program);
     run.core().levels.push(level);
     while !run.core().has_ended() {
         step(run);
     }
     run.finish();
-    true
+    run.core().hash()
 }
 
 /// Executes one block.

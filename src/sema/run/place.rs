@@ -4,11 +4,12 @@ use std::fmt::Display;
 
 use crate::diag::{Answer, Diagnostic, Fault, Help, Label, codes};
 use crate::ir::Pos;
+use crate::ir::contour::CtxRef;
 use crate::ir::frame::Frame;
 use crate::machine::settings::Datums;
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::{By, because};
-use crate::sema::common::position::Position;
+use crate::sema::common::position::{Missing, Position};
 use crate::sema::{Outcome, Reported};
 use crate::text::Loc;
 
@@ -73,6 +74,37 @@ impl Lack {
 }
 
 impl<L: Language> Core<'_, L> {
+    /// Where an axis stands; an error where nothing says it, none where an error hides it.
+    #[inline]
+    pub fn place_of(
+        &self,
+        place: impl Into<Where>,
+        asked: Unknown<'_>,
+        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
+    ) -> Outcome<f64> {
+        match asked.position.require(asked.axis) {
+            Ok(at) => Ok(at),
+            Err(Missing::Lost) => Err(Reported),
+            Err(Missing::Unknown) => self.position_unknown(place, asked, fault),
+        }
+    }
+
+    /// Axes stand at these places of the work offset: what is known of them in the frame in force.
+    pub fn stand(&mut self, position: &mut Position, places: &Pos, ctx: &CtxRef) -> Pos {
+        let known = position.stand_in_offset(places, &ctx.frame);
+        self.stands_at(&known, ctx);
+        known
+    }
+
+    /// A tool change is over: axes stand where the configuration says, unless it says that in machine coordinates, which nothing
+    /// relates to places of the tip here.
+    pub fn stand_after_change(&mut self, position: &mut Position, ctx: &CtxRef) -> Pos {
+        match position.after_change() {
+            (_, true) => Pos::UNKNOWN,
+            (places, false) => self.stand(position, &places, ctx),
+        }
+    }
+
     /// An error about an axis whose position is not known: `fault` makes it of the axis and why. `lack` is what a machine coordinate
     /// of the axis lacks.
     pub fn position_unknown<T>(

@@ -1,6 +1,9 @@
 //! Prints work offsets and tools by their numbers: one that stands for another one of the program already is refused.
 
 use crate::diag::{Answer, Diagnostic, Help, Label, codes};
+use crate::ir::Function;
+use crate::ir::contour::CtxRef;
+use crate::ir::function::CutterData;
 use crate::machine::tools::ToolKey;
 use crate::sema::{Outcome, Reported};
 
@@ -25,6 +28,14 @@ impl<L: Language> Core<'_, L> {
         let found = self.another_tool(own, other, number, place);
         self.report(found.also(*at, Label::PrintedAs(format!("tool {other}"), format!("T{number}"))));
         Err(Reported)
+    }
+
+    /// Another tool comes into the spindle, or into the cutting position: its change and its data are printed.
+    pub fn send_tool(&mut self, own: &ToolKey, number: u32, place: impl Into<Where>, ctx: &CtxRef) -> Outcome {
+        self.prints_tool(own, number, place)?;
+        self.send_function(&Function::ToolChange { number }, ctx);
+        self.send_function(&Function::Cutter(CutterData { number, ..CutterData::default() }), ctx);
+        Ok(())
     }
 
     /// The finding where two tools would be printed by one number.

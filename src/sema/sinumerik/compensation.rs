@@ -9,7 +9,7 @@ use crate::diag::{Answer, codes};
 use crate::geo::{Plane, Vec2};
 use crate::ir::{Function, Side};
 use crate::machine::Compensation;
-use crate::sema::common::compensation::edge_direction;
+use crate::sema::common::compensation::{compensate, edge_direction};
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -301,7 +301,7 @@ impl State {
         match self.rules(cutter, core.job.settings) {
             Ok((rules, disc)) => {
                 disc.into_iter().for_each(|fault| core.say_once(place, fault));
-                self.compensate(rules);
+                compensate(&mut self.ctx, rules);
                 Ok(())
             }
             Err(fault) => {

@@ -143,7 +143,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
     let plane = run.channel.st.codes.of(g_groups::Group::Plane);
     run.channel.st.set_plane(plane);
-    if run::run(&mut run) { run.channel.core.hash() } else { 0 }
+    run::run(&mut run)
 }
 
 /// Reads every block of the file, whether it runs or not, and reports what is wrong with its form.

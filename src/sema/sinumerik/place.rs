@@ -116,8 +116,6 @@ impl Channel<'_> {
         if self.st.side() != crate::ir::Side::None || self.capture.is_some() {
             return;
         }
-        let ctx = self.st.ctx.clone();
-        let known = self.st.position.stand_in_offset(places, &ctx.frame);
-        self.core.stands_at(&known, &ctx);
+        self.core.stand(&mut self.st.position, places, &self.st.ctx);
     }
 }

@@ -21,6 +21,7 @@ use crate::ir::compensation::Border;
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{self, Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
+use crate::sema::common::compensation::compensate;
 use crate::sema::run::{Site, Where};
 use crate::text::Span;
 
@@ -222,7 +223,7 @@ impl State {
     fn straight_border(&mut self) {
         if let Some(rules) = self.ctx.compensation.as_deref() {
             let rules = ir::Compensation { approach: Border::Perpendicular, retract: Border::Perpendicular, ..*rules };
-            self.compensate(rules);
+            compensate(&mut self.ctx, rules);
         }
     }
 }

@@ -224,13 +224,6 @@ impl State {
         }
     }
 
-    /// How the compiler compensates from now on.
-    pub(super) fn compensate(&mut self, rules: crate::ir::Compensation) {
-        if self.ctx.compensation.as_deref() != Some(&rules) {
-            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
-        }
-    }
-
     pub fn diameter_mode(&self) -> Diameter {
         self.diameter.unwrap_or(match self.codes.of(Group::Diameter) {
             GCode::DIAMON => Diameter::On,

@@ -3,9 +3,10 @@
 use crate::parser::sinumerik::ast::{Base, Block, Jump, JumpTarget, Op, Stmt, Target, Value, When};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
-use crate::sema::run::survey::{Notes, Surveyed, Visitor, What};
-use crate::sema::run::unexecuted::{Blocks, Numbers};
-use crate::text::{FileId, Loc, Span};
+use crate::sema::run::survey::{Notes, Visitor, What};
+use crate::sema::run::unexecuted::Passed;
+use crate::sema::run::{Shown, Shows, survey_file};
+use crate::text::{FileId, Span};
 
 use rustc_hash::FxHashMap;
 
@@ -15,34 +16,25 @@ use super::vocabulary::{Address, Meaning};
 
 /// Leads `visitor` through a file.
 pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
-    let start = Loc { file, line: 1, span: Span::default() };
-    let Some(mut blocks) = Blocks::<Sinumerik>::open(job, file, start) else { return };
-    let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
-    let words = dictionary::words();
-    let mut numbers = Numbers::default();
-    loop {
-        let Some(passed) = blocks.next_for(job, &mut symbols, visitor, &mut numbers) else { return };
-        let is_bad = passed.block.stmt == Stmt::Bad || !passed.problems.is_empty();
-        let (block, text, site) = (passed.block, passed.text, passed.site);
-        notes.clear();
+    survey_file::<Sinumerik>(job, file, visitor);
+}
+
+impl Shows for Sinumerik {
+    type Before = ();
+
+    fn show(passed: &Passed<'_, Sinumerik>, symbols: &Symbols, _: &mut (), items: bool, notes: &mut Notes) -> Shown {
+        let block = passed.block;
         notes.comments.extend(block.comment);
-        if visitor.items() {
-            Noting { block, symbols: &symbols, words, notes: &mut notes }.note();
+        if items {
+            Noting { block, symbols, words: dictionary::words(), notes }.note();
         }
-        let surveyed = Surveyed {
-            text,
-            site,
+        Shown {
             number: block.number,
             skip: block.skip.is_some(),
             words: block.span,
             is_empty: block.stmt == Stmt::Empty && block.label.is_none() || block.stmt == Stmt::Header,
-            is_bad,
-            comments: &notes.comments,
-            items: &notes.items,
-            passed: numbers.passed,
-        };
-        numbers.see(surveyed.number);
-        visitor.block(&surveyed, job);
+            is_bad: block.stmt == Stmt::Bad,
+        }
     }
 }
 

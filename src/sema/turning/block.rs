@@ -3,18 +3,31 @@
 //! A block acts in this order: tool, spindle, feed, M functions at the start, modal functions, the move or cycle, M
 //! functions at the end.
 
-use crate::diag::codes;
+use std::rc::Rc;
+
+use crate::diag::{Fault, Label, codes};
+use crate::ir::contour::Ctx;
 use crate::ir::function::PathControl;
-use crate::ir::{Function as Item, Side};
+use crate::ir::{Function as Item, Remark, Side};
+use crate::machine::Compensation;
 use crate::parser::turning::ast::Block;
 use crate::sema::common::feed::FeedKind;
+use crate::sema::common::spindle::SpeedKind;
+use crate::sema::run::Where;
+use crate::sema::run::refusal::{Made, refused};
 use crate::text::decode::readable;
 
+use super::blank::Blank;
 use super::cycles::Row;
+use super::eval::Computing;
+use super::frames::ShiftOf;
 use super::g_functions::{Function, Kind, find};
+use super::geometry::Line;
+use super::m_functions::check_m;
 use super::other_axes::belongs;
 use super::program_parts::ProgramPart;
-use super::technology::SpeedMode;
+use super::spindle;
+use super::technology::Oversize;
 use super::words::{Fun, Letters, Words, letters};
 use super::{Outcome, Reported, Run};
 
@@ -23,12 +36,12 @@ const GENERAL: Letters = letters("TFS");
 
 impl Run<'_> {
     pub(super) fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let result = self.gather(block).and_then(|w| {
-            let result = self.words_of_part(&w, block, text);
-            self.put_back(w);
-            result
-        });
-        if result.is_err() && matches!(self.sections.part, ProgramPart::Start | ProgramPart::Machining) {
+        let mut w = self.words.take().unwrap_or_default();
+        let Run { core, vars, .. } = self;
+        let read = w.gather(block, &mut Computing { core, vars });
+        let result = read.and_then(|()| self.words_of_part(&w, block, text));
+        self.words = Some(w);
+        if result.is_err() && self.sections.part.is_executed() {
             self.lose_all();
         }
         result
@@ -39,8 +52,20 @@ impl Run<'_> {
         match self.sections.part {
             ProgramPart::Start | ProgramPart::Machining if self.capture.is_none() => self.machine(w, text),
             ProgramPart::Start | ProgramPart::Machining => self.capture_block(w, block),
-            ProgramPart::Contour => self.geometry_block(w, block, text),
-            ProgramPart::Turret => self.turret_line(w, text),
+            ProgramPart::Contour => {
+                let line = Line { w, block, measure: self.measure() };
+                let blank = self.geometry.block(line, text, &self.core)?;
+                if let Some(shown) = blank.and_then(Blank::shown) {
+                    self.core.send_function(&Item::Remark(Remark::Blank(shown)), &self.st.ctx);
+                }
+                Ok(())
+            }
+            ProgramPart::Turret => {
+                if let Some(fault) = self.core.made(self.sections.turret_line(w, text))? {
+                    self.core.say_here(fault);
+                }
+                Ok(())
+            }
             ProgramPart::Unread => Ok(()),
             ProgramPart::Head | ProgramPart::Names | ProgramPart::Between => {
                 self.core.refuse(block.span, codes::T1008::words_have_no_place_in_this_section())
@@ -54,10 +79,12 @@ impl Run<'_> {
         self.core.level().frame.begun = true;
         if let Some(name) = w.text("L") {
             self.settle_chain()?;
-            return self.call(w, name, text);
+            let called = w.called(&readable(name.of(text)), self.sections.family());
+            let called = self.core.made(called)?;
+            return self.enter(called);
         }
-        let plan = self.plan(w)?;
-        self.check_m(w)?;
+        let plan = self.core.made(Plan::of(w))?;
+        self.core.made(check_m(w, self.core.job.settings))?;
         let only_moves = plan.only_path && w.m().is_empty() && w.present() & GENERAL == 0;
         if !only_moves {
             self.settle_chain()?;
@@ -67,129 +94,19 @@ impl Run<'_> {
             self.named = w.text("ID").map(|span| readable(span.of(text)).into_owned());
             self.motion(function, fun, w)?;
         }
-        self.exact_stop_ends();
-        if only_moves || self.core.has_ended() {
-            return Ok(());
-        }
-        if !w.m().is_empty() && self.capture.is_none() {
-            self.settle_chain_if_ends(w)?;
-            self.m_at_end(w)?;
-        }
-        Ok(())
-    }
-
-    /// Behind its block, G9 counts no longer. A move that waits for the next block takes it along.
-    #[inline]
-    fn exact_stop_ends(&mut self) {
+        // Behind its block, G9 counts no longer. A move that waits for the next block takes it along.
         if self.st.exact_stop && self.chain.is_empty() {
             self.st.exact_stop = false;
-            self.function(Item::PathControl(None));
+            self.core.send_function(&Item::PathControl(None), &self.st.ctx);
         }
-    }
-
-    /// M functions at the end of a block whose move waits for the next one cannot be kept in order.
-    fn settle_chain_if_ends(&mut self, w: &Words) -> Outcome {
-        let ends = w.m().iter().any(|m| !matches!(m.number, 3 | 4 | 8));
-        if ends { self.settle_chain() } else { Ok(()) }
-    }
-
-    /// Looks the functions up and gives every word to one of them.
-    fn plan(&mut self, w: &Words) -> Outcome<Plan> {
-        let mut plan = Plan { motion: None, claimed: 0, only_path: true };
-        let mut functions: [Option<&'static Function>; 4] = [None; 4];
-        for (i, fun) in w.g().iter().enumerate() {
-            let function = self.function_of(*fun)?;
-            self.check_same(w, i)?;
-            let both = plan.claimed & function.letters & w.present();
-            if both != 0 {
-                let letter = (b'A' + both.trailing_zeros() as u8) as char;
-                return self.core.refuse(fun.span, codes::P1005::two_functions_of_block_take(&letter));
-            }
-            plan.claimed |= function.letters;
-            if let Some(slot) = functions.get_mut(i) {
-                *slot = Some(function);
-            }
-            plan.only_path &= function.kind.is_path();
-            if function.kind.is_motion() && plan.motion.replace((function, *fun)).is_some() {
-                return self.core.refuse(fun.span, codes::P1005::g_another_move_or_cycle_stand(&fun.number));
-            }
+        if only_moves || self.core.has_ended() || w.m().is_empty() || self.capture.is_some() {
+            return Ok(());
         }
-        self.check_words(w, &plan, &functions)?;
-        Ok(plan)
-    }
-
-    #[inline]
-    fn function_of(&self, fun: Fun) -> Outcome<&'static Function> {
-        match find(fun.number) {
-            Some(function) if function.kind != Kind::Refused => Ok(function),
-            known => self.no_such_function(fun, known),
+        // Those at the end of a block whose move waits for the next one cannot be kept in order.
+        if w.m().iter().any(|m| !matches!(m.number, 3 | 4 | 8)) {
+            self.settle_chain()?;
         }
-    }
-
-    #[cold]
-    fn no_such_function<T>(&self, fun: Fun, known: Option<&Function>) -> Outcome<T> {
-        if let Some(owner) = belongs(fun.number) {
-            let what = known.map_or_else(String::new, |function| format!(" ({})", function.name));
-            return self.core.refuse(fun.span, codes::P9011::g_is_function(&fun.number, &what, &owner));
-        }
-        match known {
-            Some(function) => self.core.refuse(fun.span, codes::P9011::g_is_not_supported(&fun.number, &function.name)),
-            None => self.core.refuse(fun.span, codes::P9011::g_is_not_known(&fun.number)),
-        }
-    }
-
-    fn check_same(&self, w: &Words, i: usize) -> Outcome {
-        let fun = w.g()[i];
-        if w.g()[..i].iter().any(|other| other.number == fun.number) {
-            return self.core.refuse(fun.span, codes::P1002::g_stands_twice_in_block(&fun.number));
-        }
-        Ok(())
-    }
-
-    #[inline]
-    fn check_words(&self, w: &Words, plan: &Plan, functions: &[Option<&Function>]) -> Outcome {
-        let stray = w.present() & !(plan.claimed | GENERAL);
-        if stray != 0 {
-            return self.stray_letter(w, stray, plan.motion.is_some());
-        }
-        let marked = |letter: u8| w.get(letter).filter(|num| num.incremental || num.unknown);
-        let free = letters("XZ");
-        let mut rest = w.present() & !free;
-        while rest != 0 {
-            let letter = b'A' + rest.trailing_zeros() as u8;
-            if let Some(num) = marked(letter) {
-                return self.core.refuse(num.span, codes::P1003::takes_plain_number_here(&(letter as char)));
-            }
-            rest &= rest - 1;
-        }
-        for (addr, num) in w.longs() {
-            let name = addr.to_string();
-            if !functions.iter().flatten().any(|function| function.takes(&name)) {
-                return self.core.refuse(num.span, codes::P1003::no_function_of_block_takes(&name));
-            }
-            if num.unknown {
-                return self.core.refuse(num.span, codes::P1003::takes_number(&name));
-            }
-        }
-        let named = plan.motion.is_some_and(|(function, _)| function.cycle.is_some_and(Row::takes_name));
-        match w.texts().iter().find(|(addr, _)| !(named && addr.to_string() == "ID")) {
-            Some((addr, span)) => self.core.refuse(*span, codes::P1003::no_function_of_block_takes_text(&addr)),
-            None => Ok(()),
-        }
-    }
-
-    #[cold]
-    fn stray_letter(&self, w: &Words, stray: Letters, moves: bool) -> Outcome {
-        let letter = b'A' + stray.trailing_zeros() as u8;
-        let span = w.span(letter, self.core.block_span());
-        let letter = letter as char;
-        if !moves && matches!(letter, 'X' | 'Z') {
-            return self.core.refuse(span, codes::T2001::block_has_coordinates());
-        }
-        if matches!(letter, 'C' | 'Y' | 'U' | 'W') {
-            return self.core.refuse(span, codes::T9004::belongs_to_c_axis(&letter));
-        }
-        self.core.refuse(span, codes::P1003::no_function_of_block_takes(&letter))
+        self.m_functions(w, false)
     }
 
     fn before_motion(&mut self, w: &Words, plan: &Plan, text: &[u8]) -> Outcome {
@@ -197,41 +114,57 @@ impl Run<'_> {
             self.tool_word(num, text)?;
         }
         for fun in w.g() {
-            let function = self.function_of(*fun)?;
+            let function = self.core.made(function_of(*fun))?;
             self.modal_function(function.kind, *fun, w)?;
         }
         if let Some(num) = w.get(b'S').filter(|_| plan.claimed & letters("S") == 0) {
-            self.speed_word(num)?;
+            self.core.made(spindle::speed(&mut self.st.spindle, num, self.st.unit))?;
+            self.send_speed(num.span);
         }
         if let Some(num) = w.get(b'F').filter(|_| plan.claimed & letters("F") == 0) {
-            self.feed_word(num)?;
+            let mm = self.st.mm();
+            self.core.made(num.feed(&mut self.st.feed, mm))?;
         }
-        self.m_at_start(w)
+        self.m_functions(w, true)
     }
 
     fn modal_function(&mut self, kind: Kind, fun: Fun, w: &Words) -> Outcome {
+        let (unit, mm) = (self.st.unit, self.st.mm());
         match kind {
-            Kind::SpeedLimit => self.speed_limit(w),
-            Kind::CuttingSpeed => self.speed_mode(SpeedMode::Cutting, w),
-            Kind::Revolutions => self.speed_mode(SpeedMode::Revolutions, w),
-            Kind::PerMinute => self.feed_mode(FeedKind::PerMinute, w, true),
-            Kind::PerRevolution => self.feed_mode(FeedKind::PerRevolution, w, true),
-            Kind::CompensationOff => self.compensation(Side::None, fun),
-            Kind::CompensationLeft => self.compensation(Side::Left, fun),
-            Kind::CompensationRight => self.compensation(Side::Right, fun),
-            Kind::ShiftRelative | Kind::ShiftAdditive | Kind::ShiftAbsolute => self.shift(kind, w),
-            Kind::Clearance => self.clearance(w),
-            Kind::OversizeParaxial => self.oversize(w, false),
-            Kind::OversizeEquidistant => self.oversize(w, true),
+            Kind::SpeedLimit => {
+                let num = self.core.made(spindle::limit(&mut self.st.spindle, w))?;
+                self.send_speed(num.span);
+            }
+            Kind::CuttingSpeed | Kind::Revolutions => {
+                let counts = if kind == Kind::CuttingSpeed { SpeedKind::Cutting } else { SpeedKind::Turns };
+                if let Some(num) = self.core.made(spindle::count(&mut self.st.spindle, counts, w, unit))? {
+                    self.send_speed(num.span);
+                }
+            }
+            Kind::PerMinute | Kind::PerRevolution => {
+                let counts = FeedKind::per_revolution(kind == Kind::PerRevolution);
+                self.core.made(w.feed_mode(&mut self.st.feed, counts, mm))?;
+            }
+            Kind::CompensationOff => return self.compensation(Side::None, fun),
+            Kind::CompensationLeft => return self.compensation(Side::Left, fun),
+            Kind::CompensationRight => return self.compensation(Side::Right, fun),
+            Kind::Shift(of) => return self.shift(of, w),
+            Kind::Clearance => {
+                let clearance = w.get(b'P').map(|num| num.above_zero(mm, "the clearance")).transpose();
+                self.st.clearance = self.core.made(clearance)?;
+            }
+            Kind::OversizeParaxial => self.oversize(w.paraxial(mm)),
+            Kind::OversizeEquidistant => {
+                let oversize = self.core.made(w.equidistant(mm))?;
+                self.oversize(oversize);
+            }
             Kind::OversizeOff => {
-                self.without_effect(w, b"P", codes::T8017::g52_ends_oversizes_as_g50);
+                self.core.without_effect(w, b"P", codes::T8017::g52_ends_oversizes_as_g50);
                 self.st.oversize = None;
-                Ok(())
             }
             Kind::ExactStop => {
                 self.st.exact_stop = true;
-                self.function(Item::PathControl(Some(PathControl::Exact)));
-                Ok(())
+                self.core.send_function(&Item::PathControl(Some(PathControl::Exact)), &self.st.ctx);
             }
             Kind::Nothing
             | Kind::Rapid
@@ -243,8 +176,53 @@ impl Run<'_> {
             | Kind::SingleThread
             | Kind::EndOfContour
             | Kind::Cycle
-            | Kind::Refused => Ok(()),
+            | Kind::Refused => {}
         }
+        Ok(())
+    }
+
+    /// G57 and G58.
+    fn oversize(&mut self, oversize: Oversize) {
+        let here = self.core.here.origin.loc;
+        if let Some((before, loc)) = self.st.oversize.replace((oversize, here))
+            && std::mem::discriminant(&before) != std::mem::discriminant(&oversize)
+        {
+            let found = codes::T8017::from_here_on_changes_nothing(&before.name(), &oversize.name()).at(loc);
+            self.core.report(found.also(here, Label::TakesItsPlace));
+        }
+    }
+
+    /// G51, G56, G59: the workpiece zero moves, the tool stays where it is.
+    fn shift(&mut self, kind: ShiftOf, w: &Words) -> Outcome {
+        let z = self.core.made(w.shift(kind, self.st.mm()))?;
+        if self.st.compensation.is_on() && self.core.job.settings.output.compensation == Compensation::Resolve {
+            let fault = codes::T2021::workpiece_zero_shifts_under_nose_radius_compensation();
+            return self.core.refuse(Where::Block, fault);
+        }
+        let counted: Option<fn() -> Fault> = if self.st.moved {
+            Some(codes::T2016::g59_moves_workpiece_zero_that_program)
+        } else if !self.st.position.start().known().is_empty() {
+            Some(codes::T2016::g59_moves_workpiece_zero_that_positions)
+        } else {
+            None
+        };
+        let shift = self.core.made_at(Where::Block, self.st.shift.after(kind, z, counted))?;
+        if kind == ShiftOf::Absolute {
+            if self.st.shift.base.is_none() {
+                let fault = codes::T2015::coordinates_count_from_workpiece_zero_of_g59(&z);
+                self.core.job.diags.push_once(fault.at(self.core.here.origin.loc));
+            }
+            if shift.is_added() {
+                return self.core.refuse(Where::Block, codes::T2016::whether_g59_ends_shifts_of_g51());
+            }
+        }
+        self.st.shift = shift;
+        let frame = shift.frame().ok_or_else(codes::T1007::shift_is_no_number);
+        let frame = self.core.made_at(Where::Block, frame)?;
+        self.st.position.through_frame(&self.st.ctx.frame, &frame);
+        self.st.last.forget();
+        self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });
+        Ok(())
     }
 
     #[inline]
@@ -258,29 +236,59 @@ impl Run<'_> {
         if self.st.compensation.is_on() && function.kind != Kind::Dwell {
             return self.core.refuse(fun.span, codes::T2021::g_stands_under_nose_radius_compensation(&fun.number));
         }
-        match function.kind {
-            Kind::MachineRapid => self.machine_rapid(w),
-            Kind::ChangePoint => self.change_point(w),
-            Kind::Dwell => self.dwell(w),
-            Kind::SingleThread => self.single_thread(w),
-            Kind::EndOfContour => self.core.refuse(fun.span, codes::T3003::g80_ends_contour()),
-            Kind::Cycle => match function.cycle {
-                Some(cycle) => self.begin_cycle(cycle, w),
-                None => Err(Reported),
-            },
-            _ => Err(Reported),
+        match (function.kind, function.cycle) {
+            (Kind::MachineRapid, _) => {
+                let end = self.core.made(w.machine_place(self.st.mm()))?;
+                self.machine_move(end);
+            }
+            (Kind::ChangePoint, _) => {
+                for step in self.core.made(w.to_change_point(self.core.job.settings))? {
+                    self.machine_move(step);
+                }
+            }
+            (Kind::Dwell, _) => {
+                let time = self.core.made(w.dwell())?;
+                self.core.send_function(&Item::Dwell(time), &self.st.ctx);
+            }
+            (Kind::SingleThread, _) => return self.single_thread(w),
+            (Kind::EndOfContour, _) => return self.core.refuse(fun.span, codes::T3003::g80_ends_contour()),
+            (Kind::Cycle, Some(cycle)) => return self.begin_cycle(cycle, w),
+            _ => return Err(Reported),
         }
-    }
-
-    /// G4
-    fn dwell(&mut self, w: &Words) -> Outcome {
-        let num = self.needed(w, b'F', "the time in seconds", self.core.block_span())?;
-        if num.value < 0.0 {
-            return self.core.refuse(num.span, codes::T1007::dwell_time_is_not_negative());
-        }
-        self.function(Item::Dwell(num.value));
         Ok(())
     }
+}
+
+impl Words {
+    /// G4: the time in seconds.
+    fn dwell(&self) -> Made<f64> {
+        let num = self.needed(b'F', "the time in seconds")?;
+        if num.value < 0.0 {
+            return refused(num.span, codes::T1007::dwell_time_is_not_negative());
+        }
+        Ok(num.value)
+    }
+}
+
+#[inline]
+fn function_of(fun: Fun) -> Made<&'static Function> {
+    match find(fun.number) {
+        Some(function) if function.kind != Kind::Refused => Ok(function),
+        known => no_such_function(fun, known),
+    }
+}
+
+#[cold]
+fn no_such_function<T>(fun: Fun, known: Option<&Function>) -> Made<T> {
+    let fault = match (belongs(fun.number), known) {
+        (Some(owner), known) => {
+            let what = known.map_or_else(String::new, |function| format!(" ({})", function.name));
+            codes::P9011::g_is_function(&fun.number, &what, &owner)
+        }
+        (None, Some(function)) => codes::P9011::g_is_not_supported(&fun.number, &function.name),
+        (None, None) => codes::P9011::g_is_not_known(&fun.number),
+    };
+    refused(fun.span, fault)
 }
 
 /// Which function takes which words.
@@ -290,6 +298,77 @@ struct Plan {
     claimed: Letters,
     /// G0 to G3, G12, G13 and nothing else.
     only_path: bool,
+}
+
+impl Plan {
+    /// Looks the functions up and gives every word to one of them.
+    fn of(w: &Words) -> Made<Plan> {
+        let mut plan = Plan { motion: None, claimed: 0, only_path: true };
+        let mut functions: [Option<&'static Function>; 4] = [None; 4];
+        for (i, fun) in w.g().iter().enumerate() {
+            let function = function_of(*fun)?;
+            if w.g()[..i].iter().any(|other| other.number == fun.number) {
+                return refused(fun.span, codes::P1002::g_stands_twice_in_block(&fun.number));
+            }
+            let both = plan.claimed & function.letters & w.present();
+            if both != 0 {
+                let letter = (b'A' + both.trailing_zeros() as u8) as char;
+                return refused(fun.span, codes::P1005::two_functions_of_block_take(&letter));
+            }
+            plan.claimed |= function.letters;
+            if let Some(slot) = functions.get_mut(i) {
+                *slot = Some(function);
+            }
+            plan.only_path &= function.kind.is_path();
+            if function.kind.is_motion() && plan.motion.replace((function, *fun)).is_some() {
+                return refused(fun.span, codes::P1005::g_another_move_or_cycle_stand(&fun.number));
+            }
+        }
+        plan.check_words(w, &functions)?;
+        Ok(plan)
+    }
+
+    #[inline]
+    fn check_words(&self, w: &Words, functions: &[Option<&Function>]) -> Made {
+        let stray = w.present() & !(self.claimed | GENERAL);
+        if stray != 0 {
+            return stray_letter(w, stray, self.motion.is_some());
+        }
+        let mut rest = w.present() & !letters("XZ");
+        while rest != 0 {
+            let letter = b'A' + rest.trailing_zeros() as u8;
+            if let Some(num) = w.get(letter).filter(|num| num.incremental || num.unknown) {
+                return refused(num.span, codes::P1003::takes_plain_number_here(&(letter as char)));
+            }
+            rest &= rest - 1;
+        }
+        for (addr, num) in w.longs() {
+            let name = addr.to_string();
+            if !functions.iter().flatten().any(|function| function.takes(&name)) {
+                return refused(num.span, codes::P1003::no_function_of_block_takes(&name));
+            }
+            if num.unknown {
+                return refused(num.span, codes::P1003::takes_number(&name));
+            }
+        }
+        let named = self.motion.is_some_and(|(function, _)| function.cycle.is_some_and(Row::takes_name));
+        match w.texts().iter().find(|(addr, _)| !(named && addr.to_string() == "ID")) {
+            Some((addr, span)) => refused(*span, codes::P1003::no_function_of_block_takes_text(&addr)),
+            None => Ok(()),
+        }
+    }
+}
+
+#[cold]
+fn stray_letter(w: &Words, stray: Letters, moves: bool) -> Made {
+    let letter = b'A' + stray.trailing_zeros() as u8;
+    let (place, letter) = (w.place(letter), letter as char);
+    let fault = match letter {
+        'X' | 'Z' if !moves => codes::T2001::block_has_coordinates(),
+        'C' | 'Y' | 'U' | 'W' => codes::T9004::belongs_to_c_axis(&letter),
+        letter => codes::P1003::no_function_of_block_takes(&letter),
+    };
+    refused(place, fault)
 }
 
 impl Kind {

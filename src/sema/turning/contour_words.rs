@@ -4,13 +4,17 @@
 
 use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2, SAME_DIRECTION, Vec2, direction, intersect};
+use crate::sema::run::Where;
+use crate::sema::run::refusal::{Made, refused};
+use crate::text::Loc;
 
 use super::chain::{AGREES, Coord, Data};
 use super::element_data::{Transition, transition_of};
 use super::outline::{Builder, Flaw, Mark, Outline};
 use super::readings::Question;
+use super::state::State;
 use super::words::Words;
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome};
 
 /// Angles lie below this, degrees.
 const UPRIGHT: f64 = 90.0;
@@ -26,51 +30,64 @@ struct Form {
     rims: (Transition, Transition),
 }
 
-impl Run<'_> {
+impl Core<'_> {
     /// The contour that G80 describes for the cycle `number`; `None` where it has no words.
-    pub(super) fn contour_words(&self, w: &Words, number: u16) -> Outcome<Option<Outline>> {
+    pub(super) fn contour_words(&self, w: &Words, number: u16, st: &State) -> Outcome<Option<Outline>> {
         let Some((addr, num)) = w.longs().first() else { return Ok(None) };
+        let settings = self.job.settings;
         let swapped = match number {
             810 => false,
             820 => true,
-            869 => match self.st.recess_tool(self.core.job.settings) {
-                Ok((_, radial)) => !radial,
-                Err(fault) => return self.core.refuse(self.core.block_span(), fault),
-            },
-            _ => {
-                return self.core.refuse(num.span, codes::T9007::contour_in_words_of_g80_is_not(&addr, &number));
-            }
+            869 => !self.made_at(Where::Block, st.recess_tool(settings))?.1,
+            _ => return self.refuse(num.span, codes::T9007::contour_in_words_of_g80_is_not(&addr, &number)),
         };
-        if self.core.job.settings.control.turning.refuse_contour_words == Some(true) {
-            return self.core.refuse(
+        if settings.control.turning.refuse_contour_words == Some(true) {
+            return self.refuse(
                 num.span,
                 codes::T9007::no_manual_at_hand_lists_words(&addr).answer(Answer::key("control", "contour_words")),
             );
         }
         self.depends_on(Question::ContourWords, num.span);
-        let form = self.form_of(w, swapped)?;
+        let form = self.made(Form::of(w, swapped, st.mm()))?;
         let points = if number == 869 { form.recess() } else { form.step() };
-        let Some(points) = points else {
-            return self.core.refuse(self.core.block_span(), codes::T3002::angles_leave_no_room_between_start());
-        };
-        let outline = self.outline_of(&points, swapped).map_err(|flaw| {
-            self.flaw(&flaw);
-            Reported
-        })?;
-        Ok(Some(outline))
+        let no_room = codes::T3002::angles_leave_no_room_between_start;
+        let points = self.made_at(Where::Block, points.ok_or_else(no_room))?;
+        self.flawless(outline_of(&points, swapped, self.here.origin.loc)).map(Some)
     }
+}
 
-    fn form_of(&self, w: &Words, swapped: bool) -> Outcome<Form> {
-        let span = self.core.block_span();
-        let mm = self.st.mm();
+/// The outline through the points, without its first and last element.
+fn outline_of(points: &[(Vec2, Transition)], swapped: bool, loc: Loc) -> Result<Outline, Flaw> {
+    let place = |v: Vec2| if swapped { Point2::new(v.y, v.x) } else { Point2::new(v.x, v.y) };
+    let mut builder = Builder::default();
+    for (i, (to, transition)) in points.iter().enumerate() {
+        let to = place(*to);
+        if i == 0 {
+            builder.start(to);
+            continue;
+        }
+        let data = Data { x: Coord::At(to.x), y: Coord::At(to.y), tolerance: AGREES, ..Data::default() };
+        builder.push(data, Mark { number: None, loc, transition: *transition, far: false, arc_tolerance: AGREES })?;
+    }
+    builder.settle()?;
+    let mut outline = builder.outline(0)?;
+    outline.edges.pop();
+    if !outline.edges.is_empty() {
+        outline.edges.remove(0);
+    }
+    Ok(outline)
+}
+
+impl Form {
+    fn of(w: &Words, swapped: bool, mm: f64) -> Made<Form> {
         for name in ["EC", "IC", "KC", "HC"] {
             if let Some(num) = w.long(name).filter(|num| num.value != 0.0) {
-                return self.core.refuse(num.span, codes::T9007::in_contour_of_g80_is_not_supported(&name));
+                return refused(num.span, codes::T9007::in_contour_of_g80_is_not_supported(&name));
             }
         }
         let needed = |name: &str| match w.long(name) {
             Some(num) => Ok(num.value * mm),
-            None => self.core.refuse(span, codes::P1004::is_missing_contour_has_no_start(&name)),
+            None => refused(Where::Block, codes::P1004::is_missing_contour_has_no_start(&name)),
         };
         let point = |x: f64, z: f64| if swapped { Vec2::new(x / 2.0, z) } else { Vec2::new(z, x / 2.0) };
         let lean = |name: &str| match w.long(name) {
@@ -79,55 +96,21 @@ impl Run<'_> {
                 let (sin, cos) = Deg(num.value).sin_cos();
                 Ok(sin / cos)
             }
-            Some(num) => self.core.refuse(num.span, codes::T1007::lies_between_0(&name)),
+            Some(num) => refused(num.span, codes::T1007::lies_between_0(&name)),
         };
         let rim = |name: &str| w.long(name).map_or(Transition::Sharp, |num| transition_of(num.value * mm));
-        let corner = match w.long("RC") {
-            Some(num) if num.value < 0.0 => return self.core.refuse(num.span, codes::T1007::rc_is_radius()),
-            num => num.map_or(Transition::Sharp, |num| transition_of(num.value * mm)),
-        };
+        if let Some(num) = w.long("RC").filter(|num| num.value < 0.0) {
+            return refused(num.span, codes::T1007::rc_is_radius());
+        }
         Ok(Form {
             start: point(needed("XS")?, needed("ZS")?),
             end: point(needed("XE")?, needed("ZE")?),
             lean: (lean("AC")?, lean("WC")?),
-            corner,
+            corner: rim("RC"),
             rims: (rim("BS"), rim("BE")),
         })
     }
 
-    /// The outline through the points, without its first and last element.
-    fn outline_of(&self, points: &[(Vec2, Transition)], swapped: bool) -> Result<Outline, Flaw> {
-        let place = |v: Vec2| if swapped { Point2::new(v.y, v.x) } else { Point2::new(v.x, v.y) };
-        let mut builder = Builder::default();
-        for (i, (to, transition)) in points.iter().enumerate() {
-            let to = place(*to);
-            if i == 0 {
-                builder.start(to);
-                continue;
-            }
-            let data = Data { x: Coord::At(to.x), y: Coord::At(to.y), tolerance: AGREES, ..Data::default() };
-            builder.push(
-                data,
-                Mark {
-                    number: None,
-                    loc: self.core.here.origin.loc,
-                    transition: *transition,
-                    far: false,
-                    arc_tolerance: AGREES,
-                },
-            )?;
-        }
-        builder.settle()?;
-        let mut outline = builder.outline(0)?;
-        outline.edges.pop();
-        if !outline.edges.is_empty() {
-            outline.edges.remove(0);
-        }
-        Ok(outline)
-    }
-}
-
-impl Form {
     /// Points of a recess from the surface in front of it to the one behind it, each with the transition there.
     fn recess(&self) -> Option<Vec<(Vec2, Transition)>> {
         let way = self.end - self.start;

@@ -1,21 +1,24 @@
 //! Calls of cycles: the words are held against the row, the plan is made, what it says is reported, what it makes is carried out.
 
 use crate::diag::{Fault, codes};
-use crate::geo::{Plane, Point2};
-use crate::ir::contour::{Coords, Move, Path};
-use crate::ir::cycle::Cycle;
+use crate::geo::Plane;
+use crate::ir::contour::{Coords, Move};
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet};
-use crate::sema::cycle::call::{Kind, reported};
+use crate::sema::common::spindle::ModalSpindle;
+use crate::sema::cycle::call::Kind;
 use crate::sema::cycle::given::{Breach, Given, Value};
 use crate::sema::cycle::row::{Name, Parameter};
 use crate::sema::run::Where;
+use crate::sema::run::refusal::{Made, refused};
 
-use super::cycles::{Contour, CycleCall, Lathe, Need, Refused, Row, Step, Unbuilt};
-use super::outline::{Outline, Section};
+use super::called_contour::Wanted;
+use super::cycles::{CycleCall, Lathe, Need, Refused, Row, Step, Unbuilt};
+use super::outline::Outline;
 use super::program_parts::Family;
+use super::spindle::turns;
 use super::words::{Fun, Words};
-use super::{Outcome, Run};
+use super::{Core, Outcome, Run};
 
 /// The contour in the blocks behind a cycle.
 #[derive(Debug, Clone, Copy)]
@@ -27,147 +30,130 @@ pub(super) struct Behind<'a> {
 
 impl Run<'_> {
     pub(super) fn run_cycle(&mut self, row: &'static Row, w: &Words, behind: Behind<'_>) -> Outcome {
-        let at = self.stand()?;
-        let given = self.given(row, w);
-        self.fits_its_row(row, &given)?;
+        let at = self.core.tip(&self.st.position)?;
+        let measure = self.measure();
+        let named = self.named.as_deref();
+        let given = given(row, w, named, measure.mm);
+        self.core.made(fits_its_row(row, &given))?;
         for need in row.requires {
-            self.meets(*need, row.number)?;
+            match need {
+                Need::Feed => drop(self.core.cutting_feed(&mut self.st.feed)?),
+                need => self.core.meets(*need, row.number, measure.family, &self.st.spindle)?,
+            }
         }
-        let contour = self.contour_for(row, w, behind.outline)?;
+        let wanted = Wanted { w, named, behind: behind.outline };
+        let contour = self.geometry.contour_for(row.contour, wanted, &self.core)?;
         let lathe = Lathe {
             number: row.number,
             modal: &self.st,
-            family: self.sections.family(),
+            family: measure.family,
             blank: self.geometry.blank,
             at,
-            x: self.coord(w.get(b'X'), Axis::X),
-            z: self.coord(w.get(b'Z'), Axis::Z),
+            x: w.coord(Axis::X, measure.mm),
+            z: w.coord(Axis::Z, measure.mm),
             contour,
             side: behind.side,
         };
         let call = CycleCall::new(&given, &lathe, self.core.job.settings);
         let planned = (row.plan)(&call);
-        self.tell(call);
-        let steps = reported(planned, |place, fault| self.core.say(place, fault))?;
-        self.carry_out(&steps);
+        self.core.tell(call);
+        for step in &self.core.made(planned)? {
+            self.carry_out(step);
+        }
         if row.uses_oversize() {
             self.st.oversize = None;
         }
         Ok(())
     }
 
-    /// The words of the block by the parameters of the row.
-    fn given(&self, row: &'static Row, w: &Words) -> Given {
-        let mut given = Given::new(&row.signature, "", Where::Block, self.st.mm());
-        for parameter in row.signature.parameters {
-            let Name::Word(name) = parameter.name else { continue };
-            let num = match name.as_bytes() {
-                [letter] => w.get(*letter),
-                _ => w.long(name),
-            };
-            let (value, place) = match (num, w.text(name).and(self.named.clone())) {
-                (Some(num), _) if num.unknown => (Value::Word("?"), num.span.into()),
-                (Some(num), _) => (Value::Number(num.value), num.span.into()),
-                (None, Some(text)) => (Value::Text(text), Where::Block),
-                (None, None) => (Value::Missing, Where::Block),
-            };
-            given.push(value, place);
-        }
-        given
-    }
-
-    /// The values that are not compiled, then the rules of the row.
-    fn fits_its_row(&self, row: &Row, given: &Given) -> Outcome {
-        let refused = |unbuilt: &&Unbuilt| given.has(unbuilt.word) && unbuilt.is(given.or_zero(unbuilt.word));
-        if let Some(unbuilt) = row.unbuilt.iter().find(refused) {
-            let value = given.or_zero(unbuilt.word);
-            let fault = (unbuilt.why)(&Refused { cycle: row.number, word: unbuilt.word, value });
-            return self.core.refuse(given.place_of(unbuilt.word), fault);
-        }
-        match given.breach() {
-            None => Ok(()),
-            Some((at, breach)) => {
-                let parameter = &row.signature.parameters[at];
-                self.core.refuse(given.place_at(at), says(parameter, breach))
+    /// Sends a cycle, or a move of one that is no more than a few moves; the tool stands where it leads.
+    fn carry_out(&mut self, step: &Step) {
+        match step {
+            Step::Cycle(cycle) => {
+                self.core.send_cycle(cycle, &self.st.ctx);
+                let end = cycle.leaves(self.st.position.at());
+                self.st.position.cycle_leaves(&end, AxisSet::MAIN);
+                self.st.stock.cut_by(cycle, self.st.shift.total());
+            }
+            Step::Move(to, path) => {
+                let mut end = Pos::UNKNOWN;
+                end.set_in_plane(Plane::Zx, *to);
+                let (path, side, coords) = (*path, Side::None, Coords::Frame);
+                self.core.send_move(&Move { end, path, side, coords }, &self.st.ctx);
+                self.st.position.move_in_plane(Plane::Zx, *to);
+                self.st.stock.cut_somewhere();
             }
         }
+        self.st.moved = true;
+        self.st.last.forget();
     }
+}
 
-    fn meets(&mut self, need: Need, number: u16) -> Outcome {
-        match need {
-            Need::Feed => self.cutting_feed().map(|_| ()),
-            Need::Spindle => self.spindle_turns(number),
-            Need::Turns if self.st.spindle.is_cutting() => {
-                self.core.refuse(Where::Block, codes::P1005::tapping_under_constant_cutting_speed())
-            }
+/// The words of the block by the parameters of the row; `named` is the contour that ID names.
+fn given(row: &'static Row, w: &Words, named: Option<&str>, mm: f64) -> Given {
+    let mut given = Given::new(&row.signature, "", Where::Block, mm);
+    for parameter in row.signature.parameters {
+        let Name::Word(name) = parameter.name else { continue };
+        let num = match name.as_bytes() {
+            [letter] => w.get(*letter),
+            _ => w.long(name),
+        };
+        let (value, place) = match (num, w.text(name).and(named)) {
+            (Some(num), _) if num.unknown => (Value::Word("?"), num.span.into()),
+            (Some(num), _) => (Value::Number(num.value), num.span.into()),
+            (None, Some(text)) => (Value::Text(text.to_owned()), Where::Block),
+            (None, None) => (Value::Missing, Where::Block),
+        };
+        given.push(value, place);
+    }
+    given
+}
+
+/// The values that are not compiled, then the rules of the row.
+fn fits_its_row(row: &Row, given: &Given) -> Made {
+    let is_unbuilt = |unbuilt: &&Unbuilt| given.has(unbuilt.word) && unbuilt.is(given.or_zero(unbuilt.word));
+    if let Some(unbuilt) = row.unbuilt.iter().find(is_unbuilt) {
+        let value = given.or_zero(unbuilt.word);
+        let fault = (unbuilt.why)(&Refused { cycle: row.number, word: unbuilt.word, value });
+        return refused(given.place_of(unbuilt.word), fault);
+    }
+    match given.breach() {
+        None => Ok(()),
+        Some((at, breach)) => refused(given.place_at(at), says(&row.signature.parameters[at], breach)),
+    }
+}
+
+impl Core<'_> {
+    fn meets(&self, need: Need, number: u16, family: Family, spindle: &ModalSpindle) -> Outcome {
+        let fault = match need {
+            Need::Spindle => return self.made_at(Where::Block, turns(spindle, number)),
+            Need::Turns if spindle.is_cutting() => codes::P1005::tapping_under_constant_cutting_speed(),
             Need::Reading(question) => {
-                self.depends_on(question, self.core.block_span());
-                Ok(())
+                self.depends_on(question, Where::Block);
+                return Ok(());
             }
-            Need::Wanted(refused) => match refused(self.core.job.settings) {
-                Some(fault) => self.core.refuse(Where::Block, fault),
-                None => Ok(()),
+            Need::Wanted(refused) => match refused(self.job.settings) {
+                Some(fault) => fault,
+                None => return Ok(()),
             },
-            Need::NotDinPlus(fault) if self.sections.family() == Family::DinPlus => {
-                self.core.refuse(Where::Block, fault())
-            }
-            Need::LaterControl(fault) if self.sections.family() == Family::Basic => {
-                self.core.refuse(Where::Block, fault())
-            }
-            Need::Turns | Need::NotDinPlus(_) | Need::LaterControl(_) => Ok(()),
-        }
-    }
-
-    fn contour_for(&self, row: &Row, w: &Words, outline: Option<&Outline>) -> Outcome<Option<Section>> {
-        match row.contour {
-            Contour::None => Ok(None),
-            Contour::LineOrReferenced if w.has(b'X') || w.has(b'Z') => Ok(None),
-            Contour::Follows | Contour::LineOrReferenced => self.contour_of(w, outline, 0).map(Some),
-            Contour::Referenced => self.contour_with_ends(w, outline).map(Some),
-        }
+            Need::NotDinPlus(fault) if family == Family::DinPlus => fault(),
+            Need::LaterControl(fault) if family == Family::Basic => fault(),
+            Need::Feed | Need::Turns | Need::NotDinPlus(_) | Need::LaterControl(_) => return Ok(()),
+        };
+        self.refuse(Where::Block, fault)
     }
 
     fn tell(&self, call: CycleCall<'_>) {
         for found in call.elsewhere() {
-            self.core.report(found.fault.at(found.place).also(self.core.here.origin.loc, found.call));
+            self.report(found.fault.at(found.place).also(self.here.origin.loc, found.call));
         }
         for remark in call.remarks() {
             if remark.kind == Kind::Once {
-                self.core.say_once(remark.place, remark.fault);
+                self.say_once(remark.place, remark.fault);
             } else {
-                self.core.say(remark.place, remark.fault);
+                self.say(remark.place, remark.fault);
             }
         }
-    }
-
-    fn carry_out(&mut self, steps: &[Step]) {
-        for step in steps {
-            match step {
-                Step::Cycle(cycle) => self.send_cycle(cycle),
-                Step::Move(to, path) => self.cycle_move(*to, *path),
-            }
-        }
-    }
-
-    /// Sends a cycle; the tool stands where the cycle leaves it.
-    fn send_cycle(&mut self, cycle: &Cycle) {
-        self.core.send_cycle(cycle, &self.st.ctx);
-        let end = cycle.leaves(self.st.position.at());
-        self.st.position.cycle_leaves(&end, AxisSet::MAIN);
-        self.st.last = None;
-        self.st.moved = true;
-        self.cycle_cuts(cycle);
-    }
-
-    /// A move of a cycle that is no more than a few moves.
-    fn cycle_move(&mut self, to: Point2, path: Path) {
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(Plane::Zx, to);
-        self.movement(&Move { end, path, side: Side::None, coords: Coords::Frame });
-        self.st.stands(to);
-        self.st.moved = true;
-        self.st.cut = true;
-        self.st.last = None;
     }
 }
 

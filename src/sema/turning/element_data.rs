@@ -3,14 +3,13 @@
 use crate::diag::codes;
 use crate::geo::Deg;
 use crate::machine::{ArcChoice, Axis};
-use crate::sema::cycle::given::Range;
-use crate::text::Span;
+use crate::sema::run::refusal::{Made, refused};
 
 use super::chain::{AGREES, Angles, Center, Coord, Data};
 use super::program_parts::Family;
 use super::readings::Question;
-use super::words::{Num, Words};
-use super::{Outcome, Run};
+use super::words::{Measure, Num, Words};
+use super::{Core, Outcome};
 
 /// Largest radius a control takes, in mm.
 const LARGEST_RADIUS: f64 = 200_000.0;
@@ -37,30 +36,29 @@ pub(super) struct Follows {
     pub far: bool,
 }
 
-impl Run<'_> {
-    /// A coordinate in mm, X as a radius.
-    #[inline]
-    pub(super) fn coord(&self, num: Option<Num>, axis: Axis) -> Coord {
-        let Some(num) = num else { return Coord::Stay };
-        let mm = self.st.mm() * if axis == Axis::X { 0.5 } else { 1.0 };
-        match (num.unknown, num.incremental) {
-            (true, _) => Coord::Open,
-            (_, true) => Coord::By(num.value * mm),
-            _ => Coord::At(num.value * mm),
-        }
-    }
-
+impl Core<'_> {
     /// The element that the words of a block describe; `arc`: counter-clockwise, and whether its centre is absolute.
-    pub(super) fn element_of(&mut self, w: &Words, arc: Option<(bool, bool)>) -> Outcome<(Data, Follows)> {
-        let angle = self.one_of(w.get(b'A'), w.long("AN"))?;
-        let transition = self.transition(w)?;
-        let entry = angle.map(|num| Angles::FromMinus.entry(Deg(self.line_angle(num))));
-        let far = self.far(w, arc.is_some())?;
+    pub(super) fn element_of(
+        &self,
+        w: &Words,
+        arc: Option<(bool, bool)>,
+        measure: Measure,
+    ) -> Outcome<(Data, Follows)> {
+        let settings = &self.job.settings.control.turning;
+        let angle = self.made(one_of(w.get(b'A'), w.long("AN")))?;
+        let transition = self.made(w.transition(measure.mm))?;
+        // Along an axis there is one line only.
+        if let Some(num) = angle.filter(|num| num.value % 90.0 != 0.0) {
+            self.depends_on(Question::LineAngle, num.span);
+        }
+        let line = |num: Num| if settings.angle_from_plus == Some(true) { 180.0 - num.value } else { num.value };
+        let swapped = arc.is_some() && settings.arc_choice == Some(ArcChoice::ZeroIsFar);
+        let far = self.made(w.is_far())? != swapped;
         let mut data = Data {
             arc: arc.map(|(ccw, _)| ccw),
-            x: self.coord(w.get(b'Z'), Axis::Z),
-            y: self.coord(w.get(b'X'), Axis::X),
-            entry,
+            x: w.coord(Axis::Z, measure.mm),
+            y: w.coord(Axis::X, measure.mm),
+            entry: angle.map(|num| Angles::FromMinus.entry(Deg(line(num)))),
             smooth: transition == Transition::Open,
             tolerance: self.arc_tolerance(),
             ..Data::default()
@@ -71,89 +69,57 @@ impl Run<'_> {
             self.without_effect(w, b"Q", codes::T8017::end_is_given_without_choice);
         }
         if arc.is_some() && open {
-            self.depends_on(Question::ArcChoice, w.span(b'Q', self.core.block_span()));
+            self.depends_on(Question::ArcChoice, w.place(b'Q'));
         }
         if let Some((_, absolute)) = arc {
-            data.radius = self.arc_radius(w)?;
-            // The centre of the 4110 is written in diameters like every other X value.
-            let share = if self.sections.family() == Family::Basic { 0.5 } else { 1.0 };
-            let mm = self.st.mm();
-            data.center =
-                Center { x: w.value(b'K').map(|k| k * mm), y: w.value(b'I').map(|i| i * mm * share), absolute };
+            data.radius = self.made(w.arc_radius(measure.mm))?;
+            data.center = w.center(absolute, measure);
         }
         Ok((data, Follows { transition, far }))
     }
 
     /// How far the radii at both ends of an arc may differ, in mm.
     pub(super) fn arc_tolerance(&self) -> f64 {
-        self.core.job.settings.control.turning.arc_tolerance.unwrap_or(AGREES)
+        self.job.settings.control.turning.arc_tolerance.unwrap_or(AGREES)
     }
+}
 
-    /// The angle of a line, counted from the negative Z axis.
-    fn line_angle(&self, num: Num) -> f64 {
-        // Along an axis there is one line only.
-        if num.value % 90.0 != 0.0 {
-            self.depends_on(Question::LineAngle, num.span);
-        }
-        if self.core.job.settings.control.turning.angle_from_plus == Some(true) { 180.0 - num.value } else { num.value }
+fn one_of(a: Option<Num>, b: Option<Num>) -> Made<Option<Num>> {
+    match (a, b) {
+        (Some(_), Some(b)) => refused(b.span, codes::P1002::two_addresses_of_block_mean_same()),
+        (a, b) => Ok(a.or(b)),
     }
+}
 
-    fn one_of(&self, a: Option<Num>, b: Option<Num>) -> Outcome<Option<Num>> {
-        match (a, b) {
-            (Some(_), Some(b)) => self.core.refuse(b.span, codes::P1002::two_addresses_of_block_mean_same()),
-            (a, b) => Ok(a.or(b)),
-        }
-    }
-
+impl Words {
     /// B or BR.
-    pub(super) fn transition(&self, w: &Words) -> Outcome<Transition> {
-        let Some(num) = self.one_of(w.get(b'B'), w.long("BR"))? else { return Ok(Transition::Open) };
-        Ok(transition_of(num.value * self.st.mm()))
+    pub(super) fn transition(&self, mm: f64) -> Made<Transition> {
+        let num = one_of(self.get(b'B'), self.long("BR"))?;
+        Ok(num.map_or(Transition::Open, |num| transition_of(num.value * mm)))
     }
 
-    fn arc_radius(&self, w: &Words) -> Outcome<Option<f64>> {
-        let Some(num) = w.get(b'R') else { return Ok(None) };
-        let radius = num.value * self.st.mm();
+    fn arc_radius(&self, mm: f64) -> Made<Option<f64>> {
+        let Some(num) = self.get(b'R') else { return Ok(None) };
+        let radius = num.value * mm;
         if radius == 0.0 || radius.abs() > LARGEST_RADIUS {
-            return self.core.refuse(num.span, codes::T1007::r_is_no_radius(&num.value));
+            return refused(num.span, codes::T1007::r_is_no_radius(&num.value));
         }
         Ok(Some(radius))
     }
 
+    /// The centre of the 4110 is written in diameters like every other X value.
+    fn center(&self, absolute: bool, measure: Measure) -> Center {
+        let share = if measure.family == Family::Basic { 0.5 } else { 1.0 };
+        let mm = measure.mm;
+        Center { x: self.value(b'K').map(|k| k * mm), y: self.value(b'I').map(|i| i * mm * share), absolute }
+    }
+
     /// Q: which of two solutions. The manuals disagree on arcs.
-    fn far(&self, w: &Words, arc: bool) -> Outcome<bool> {
-        let q = match w.get(b'Q') {
-            None => 0.0,
-            Some(num) if num.value == 0.0 || num.value == 1.0 => num.value,
-            Some(num) => return self.core.refuse(num.span, codes::T1007::q_is_neither_0_nor_1(&num.value)),
-        };
-        let swapped = arc && self.core.job.settings.control.turning.arc_choice == Some(ArcChoice::ZeroIsFar);
-        Ok((q == 1.0) != swapped)
-    }
-
-    /// A whole number in a range, or the default where the word is missing.
-    pub(super) fn choice(&self, w: &Words, letter: u8, default: u32, most: u32) -> Outcome<u32> {
-        let Some(num) = w.get(letter) else { return Ok(default) };
-        if num.value.fract() == 0.0 && num.value >= 0.0 && num.value <= f64::from(most) {
-            return Ok(num.value as u32);
-        }
-        self.core.refuse(num.span, codes::T1007::is_none_of(&(letter as char), &num.value, &Range(0, most as i32)))
-    }
-
-    /// A length in mm that is above zero.
-    pub(super) fn above_zero(&self, num: Num, what: &str) -> Outcome<f64> {
-        let length = num.value * self.st.mm();
-        if length > 0.0 {
-            return Ok(length);
-        }
-        self.core.refuse(num.span, codes::T1007::has_to_be_above_zero(&what))
-    }
-
-    /// The word that a function cannot do without.
-    pub(super) fn needed(&self, w: &Words, letter: u8, what: &str, span: Span) -> Outcome<Num> {
-        match w.get(letter) {
-            Some(num) => Ok(num),
-            None => self.core.refuse(span, codes::P1004::is_missing(&(letter as char), &what)),
+    fn is_far(&self) -> Made<bool> {
+        match self.get(b'Q') {
+            None => Ok(false),
+            Some(num) if num.value == 0.0 || num.value == 1.0 => Ok(num.value == 1.0),
+            Some(num) => refused(num.span, codes::T1007::q_is_neither_0_nor_1(&num.value)),
         }
     }
 }

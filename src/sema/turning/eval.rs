@@ -4,23 +4,25 @@ use crate::diag::{Answer, codes};
 use crate::lexer::formula::Function;
 use crate::lexer::turning::{VarKind, VarRef};
 use crate::parser::turning::ast::{Block, Formula, Op};
-use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Never, Rules, SetBy, Stop, Val, evaluate, noun};
+use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Never, SetBy, Stop, Val, evaluate, noun};
 use crate::text::Span;
 
-use super::{Outcome, Reported, Run};
+use super::vars::Vars;
+use super::{Core, Outcome, Reported};
 
-/// No manual says which way a negative number is cut off, or a half is rounded. Results beyond 10¹² are no value of a
-/// part program.
-pub(super) const RULES: Rules =
-    Rules { result: 1e12, exponents: 100.0, cuts_negative: false, rounds_halves: false, ..Rules::USUAL };
+/// Variables and program flow: what formulas are computed with, and which block runs next.
+pub(super) struct Computing<'r, 'a> {
+    pub core: &'r mut Core<'a>,
+    pub vars: &'r mut Vars,
+}
 
-impl Formulas for Run<'_> {
+impl Formulas for Computing<'_, '_> {
     type Op = Op;
     type Axis = Never;
     type Frame = Never;
 
     fn machine(&mut self) -> &mut Machine {
-        &mut self.machine
+        &mut self.vars.machine
     }
 
     fn operation(&mut self, op: &Op, machine: &mut Machine, _: At<'_>) -> Result<Val, Stop> {
@@ -62,7 +64,7 @@ impl Formulas for Run<'_> {
     }
 }
 
-impl Run<'_> {
+impl Computing<'_, '_> {
     /// Computes a formula of the block.
     pub(super) fn formula(&mut self, block: &Block, formula: Formula) -> Outcome<f64> {
         let value = evaluate(self, block.formula(formula), At { span: formula.span, text: b"" })?;
@@ -71,7 +73,7 @@ impl Run<'_> {
 
     /// Value of a variable.
     fn variable(&mut self, var: VarRef, span: Span) -> Outcome<f64> {
-        let here = self.level_number();
+        let here = self.core.level().frame.number;
         match var.kind {
             VarKind::Local | VarKind::Argument => {
                 let start = self.vars.get(var).and_then(|slot| slot.value);
@@ -93,21 +95,13 @@ impl Run<'_> {
 
     fn unset<T>(&self, var: VarRef, span: Span) -> Outcome<T> {
         let key = var.to_string().to_ascii_uppercase();
-        match var.kind {
-            VarKind::Machine | VarKind::Interpreter => self.core.refuse(
-                span,
-                codes::P2023::is_set_by_control_so_give(&var, &key).answer(Answer::key("variables", &key)),
-            ),
-            VarKind::Real if var.number > 900 => self.core.refuse(
-                span,
-                codes::P2023::holds_what_control_measured(&var, &key).answer(Answer::key("variables", &key)),
-            ),
-            VarKind::Argument => self.core.refuse(span, codes::P2020::call_gives_no_value(&var)),
-            _ => self.core.refuse(
-                span,
-                codes::P2020::is_read_before_value_so_assign_value(&var, &key).answer(Answer::key("variables", &key)),
-            ),
-        }
+        let asking = match var.kind {
+            VarKind::Machine | VarKind::Interpreter => codes::P2023::is_set_by_control_so_give(&var, &key),
+            VarKind::Real if var.number > 900 => codes::P2023::holds_what_control_measured(&var, &key),
+            VarKind::Argument => return self.core.refuse(span, codes::P2020::call_gives_no_value(&var)),
+            _ => codes::P2020::is_read_before_value_so_assign_value(&var, &key),
+        };
+        self.core.refuse(span, asking.answer(Answer::key("variables", &key)))
     }
 
     /// `#1=…`
@@ -125,16 +119,10 @@ impl Run<'_> {
                 self.core.level().frame.locals.insert(var, value.ok());
             }
             _ => {
-                let level = self.level_number();
+                let level = self.core.level().frame.number;
                 self.vars.set(var, value.ok(), level);
             }
         }
         value.map(|_| ())
-    }
-
-    /// 1 for the main program, one more for each call that is open.
-    fn level_number(&self) -> u32 {
-        // A level is told apart by how often a call was made, so that two calls never share one.
-        self.core.levels.last().map_or(1, |level| level.frame.number)
     }
 }

@@ -4,11 +4,11 @@
 
 use crate::diag::codes;
 use crate::parser::turning::ast::{Block, Formula, Stmt};
-use crate::sema::run::Read;
+use crate::sema::run::{Read, Where};
 use crate::text::{Loc, Place};
 
-use super::program_parts::ProgramPart;
-use super::{Outcome, Parsed, Reported, Run};
+use super::eval::Computing;
+use super::{Core, Outcome, Parsed, Reported};
 
 /// Deepest nesting of structures.
 const DEEPEST: usize = 100;
@@ -30,74 +30,44 @@ pub(super) enum NestKind {
     Switch,
 }
 
-impl Run<'_> {
+impl Computing<'_, '_> {
     /// An assignment or a block of a control structure.
     pub(super) fn flow_block(&mut self, block: &Block) -> Outcome {
-        self.settle_chain()?;
-        if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Machining) || self.capture.is_some() {
-            return self.core.refuse(block.span, codes::T1008::variables_program_flow_belong_into_section_machining());
-        }
-        self.sections.settle_family();
-        self.core.level().frame.begun = true;
-        match block.stmt {
-            Stmt::Assign(var, formula) => self.assign(var, block, formula),
-            Stmt::If(condition) => self.if_block(block, condition),
-            Stmt::Else => match self.top() {
-                Some(NestKind::If) => self.pass(&[Stmt::EndIf], 0),
-                _ => self.misplaced("ELSE", "IF"),
-            },
-            Stmt::EndIf => match self.top() {
-                Some(NestKind::If | NestKind::Else) => self.close(),
-                _ => self.misplaced("ENDIF", "IF"),
-            },
-            Stmt::While(condition) => self.while_block(block, condition),
-            Stmt::EndWhile => match self.top() {
-                Some(NestKind::While(place)) => {
-                    self.close()?;
-                    self.core.jump_to(place)
-                }
-                _ => self.misplaced("ENDWHILE", "WHILE"),
-            },
-            Stmt::Switch(value) => self.switch_block(block, value),
-            Stmt::Case(_) | Stmt::Default => match self.top() {
-                Some(NestKind::Switch) => {
-                    self.core.report(codes::T2020::branch_before_has_no_break().at(self.core.here.origin.loc));
-                    self.pass(&[Stmt::EndSwitch], 0)
-                }
-                _ => self.misplaced("CASE", "SWITCH"),
-            },
-            Stmt::Break => self.break_block(),
-            Stmt::EndSwitch => match self.top() {
-                Some(NestKind::Switch) => self.close(),
-                _ => self.misplaced("ENDSWITCH", "SWITCH"),
-            },
+        let top = self.core.level().frame.nests.last().map(|nest| nest.kind);
+        match (block.stmt, top) {
+            (Stmt::Assign(var, formula), _) => self.assign(var, block, formula),
+            (Stmt::If(condition), _) => {
+                let holds = self.condition(block, condition)? != 0.0;
+                self.core.open_nest(NestKind::If)?;
+                if holds { Ok(()) } else { self.core.pass(&[Stmt::Else, Stmt::EndIf], 0) }
+            }
+            (Stmt::Else, Some(NestKind::If)) => self.core.pass(&[Stmt::EndIf], 0),
+            (Stmt::Else, _) => self.core.misplaced("ELSE", "IF"),
+            (Stmt::EndIf, Some(NestKind::If | NestKind::Else)) => self.core.close(),
+            (Stmt::EndIf, _) => self.core.misplaced("ENDIF", "IF"),
+            (Stmt::While(condition), _) => {
+                let place = Place { at: self.core.here.at, line: self.core.here.line };
+                self.core.keep_whole()?;
+                let holds = self.condition(block, condition)? != 0.0;
+                self.core.open_nest(NestKind::While(place))?;
+                if holds { Ok(()) } else { self.core.pass(&[Stmt::EndWhile], 0) }
+            }
+            (Stmt::EndWhile, Some(NestKind::While(place))) => {
+                self.core.close()?;
+                self.core.jump_to(place)
+            }
+            (Stmt::EndWhile, _) => self.core.misplaced("ENDWHILE", "WHILE"),
+            (Stmt::Switch(value), _) => self.switch_block(block, value),
+            (Stmt::Case(_) | Stmt::Default, Some(NestKind::Switch)) => {
+                self.core.say_here(codes::T2020::branch_before_has_no_break());
+                self.core.pass(&[Stmt::EndSwitch], 0)
+            }
+            (Stmt::Case(_) | Stmt::Default, _) => self.core.misplaced("CASE", "SWITCH"),
+            (Stmt::Break, _) => self.core.break_block(),
+            (Stmt::EndSwitch, Some(NestKind::Switch)) => self.core.close(),
+            (Stmt::EndSwitch, _) => self.core.misplaced("ENDSWITCH", "SWITCH"),
             _ => Ok(()),
         }
-    }
-
-    fn top(&mut self) -> Option<NestKind> {
-        self.core.level().frame.nests.last().map(|nest| nest.kind)
-    }
-
-    fn close(&mut self) -> Outcome {
-        self.core.level().frame.nests.pop();
-        Ok(())
-    }
-
-    fn open_nest(&mut self, kind: NestKind) -> Outcome {
-        let loc = self.core.here.origin.loc;
-        let nests = &mut self.core.level().frame.nests;
-        nests.push(Nest { kind, loc });
-        if nests.len() <= DEEPEST {
-            return Ok(());
-        }
-        self.core.stop_run();
-        self.core.refuse(self.core.block_span(), codes::T1009::structures_are_nested_deeper_than_levels(&DEEPEST))
-    }
-
-    fn misplaced(&mut self, what: &str, needs: &str) -> Outcome {
-        self.core.stop_run();
-        self.core.refuse(self.core.block_span(), codes::T1009::stands_outside(&what, &needs))
     }
 
     /// A condition; if it cannot be computed, nobody knows which blocks run.
@@ -109,44 +79,16 @@ impl Run<'_> {
         value
     }
 
-    fn if_block(&mut self, block: &Block, condition: Formula) -> Outcome {
-        let holds = self.condition(block, condition)? != 0.0;
-        self.open_nest(NestKind::If)?;
-        if holds {
-            return Ok(());
-        }
-        self.pass(&[Stmt::Else, Stmt::EndIf], 0)
-    }
-
-    fn while_block(&mut self, block: &Block, condition: Formula) -> Outcome {
-        let place = Place { at: self.core.here.at, line: self.core.here.line };
-        let sources = self.core.job.sources;
-        if self.core.program().source.cursor.load(sources).is_err() {
-            self.core.stop_run();
-            return self.core.refuse(self.core.block_span(), codes::P0105::file_cannot_be_read_2());
-        }
-        let holds = self.condition(block, condition)? != 0.0;
-        self.open_nest(NestKind::While(place))?;
-        if holds {
-            return Ok(());
-        }
-        self.pass(&[Stmt::EndWhile], 0)
-    }
-
     /// Goes to the branch of this value, or to DEFAULT.
     fn switch_block(&mut self, block: &Block, value: Formula) -> Outcome {
         let value = self.condition(block, value)?;
-        self.open_nest(NestKind::Switch)?;
-        let sources = self.core.job.sources;
-        if self.core.program().source.cursor.load(sources).is_err() {
-            self.core.stop_run();
-            return self.core.refuse(self.core.block_span(), codes::P0105::file_cannot_be_read_2());
-        }
-        let here = self.core.here;
+        self.core.open_nest(NestKind::Switch)?;
+        self.core.keep_whole()?;
+        let from = self.core.here.origin.loc;
         let mut default = None;
         let mut depth = 0;
         loop {
-            let parsed = self.next_passed(here.origin.loc)?;
+            let parsed = self.core.next_passed(from)?;
             match parsed.block.stmt {
                 Stmt::If(_) | Stmt::While(_) | Stmt::Switch(_) => depth += 1,
                 Stmt::EndIf | Stmt::EndWhile | Stmt::EndSwitch if depth > 0 => depth -= 1,
@@ -158,30 +100,62 @@ impl Run<'_> {
         }
         match default {
             Some(place) => self.core.seek(place),
-            None => self.close(),
+            None => self.core.close(),
         }
+    }
+}
+
+impl Core<'_> {
+    fn close(&mut self) -> Outcome {
+        self.level().frame.nests.pop();
+        Ok(())
+    }
+
+    fn open_nest(&mut self, kind: NestKind) -> Outcome {
+        let loc = self.here.origin.loc;
+        let nests = &mut self.level().frame.nests;
+        nests.push(Nest { kind, loc });
+        if nests.len() <= DEEPEST {
+            return Ok(());
+        }
+        self.stop_run();
+        self.refuse(Where::Block, codes::T1009::structures_are_nested_deeper_than_levels(&DEEPEST))
+    }
+
+    fn misplaced(&self, what: &str, needs: &str) -> Outcome {
+        self.stop_run();
+        self.refuse(Where::Block, codes::T1009::stands_outside(&what, &needs))
+    }
+
+    /// Blocks of the file may run again.
+    fn keep_whole(&mut self) -> Outcome {
+        let sources = self.job.sources;
+        if self.program().source.cursor.load(sources).is_ok() {
+            return Ok(());
+        }
+        self.stop_run();
+        self.refuse(Where::Block, codes::P0105::file_cannot_be_read_2())
     }
 
     fn break_block(&mut self) -> Outcome {
-        let nests = &self.core.level().frame.nests;
+        let nests = &mut self.level().frame.nests;
         let inner = nests.iter().rev().take_while(|nest| matches!(nest.kind, NestKind::If | NestKind::Else)).count();
         let at = nests.len() - inner;
         if at == 0 || nests[at - 1].kind != NestKind::Switch {
             return self.misplaced("BREAK", "SWITCH");
         }
-        self.core.level().frame.nests.truncate(at);
+        nests.truncate(at);
         self.pass(&[Stmt::EndSwitch], inner)
     }
 
     /// Passes blocks up to one of `ends`, inside of which `depth` structures are open.
     fn pass(&mut self, ends: &[Stmt], mut depth: usize) -> Outcome {
-        let from = self.core.here.origin.loc;
+        let from = self.here.origin.loc;
         loop {
-            let parsed = self.next_passed(from)?;
-            let stmt = parsed.block.stmt;
+            let stmt = self.next_passed(from)?.block.stmt;
             if depth == 0 && ends.contains(&stmt) {
                 if stmt == Stmt::Else {
-                    if let Some(nest) = self.core.level().frame.nests.last_mut() {
+                    if let Some(nest) = self.level().frame.nests.last_mut() {
                         nest.kind = NestKind::Else;
                     }
                     return Ok(());
@@ -201,11 +175,11 @@ impl Run<'_> {
 
     /// The next block of a branch that is passed; what is wrong with it does not matter here.
     fn next_passed(&mut self, from: Loc) -> Outcome<Parsed<Block>> {
-        if !self.core.has_steps_at(from) {
+        if !self.has_steps_at(from) {
             return Err(Reported);
         }
         let mut parsed = Parsed::default();
-        match self.core.pass_block(&mut parsed) {
+        match self.pass_block(&mut parsed) {
             Read::Block(_) | Read::TooLong => {}
             Read::End | Read::Broken => return self.unclosed(from),
         }
@@ -215,7 +189,7 @@ impl Run<'_> {
         }
     }
 
-    fn unclosed<T>(&mut self, from: Loc) -> Outcome<T> {
-        self.core.stop(codes::T1009::this_structure_is_not_closed().at(from))
+    fn unclosed<T>(&self, from: Loc) -> Outcome<T> {
+        self.stop(codes::T1009::this_structure_is_not_closed().at(from))
     }
 }

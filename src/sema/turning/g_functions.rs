@@ -1,6 +1,7 @@
 //! The G functions: what they are called, which words they take, and those that are refused by name.
 
 use super::cycles::{self, Row};
+use super::frames::ShiftOf;
 use super::words::{Letters, letters};
 
 /// What a G function does.
@@ -26,9 +27,7 @@ pub(super) enum Kind {
     CompensationOff,
     CompensationLeft,
     CompensationRight,
-    ShiftRelative,
-    ShiftAdditive,
-    ShiftAbsolute,
+    Shift(ShiftOf),
     Clearance,
     OversizeParaxial,
     OversizeEquidistant,
@@ -106,15 +105,15 @@ pub(super) const TABLE: &[Function] = &[
     row(47, Kind::Clearance, "clearance of cycles", "P", &[]),
     refused(48, "reduced rapid traverse"),
     row(50, Kind::OversizeOff, "oversize off", "", &[]),
-    row(51, Kind::ShiftRelative, "zero shift", "XZ", &[]),
+    row(51, Kind::Shift(ShiftOf::Relative), "zero shift", "XZ", &[]),
     row(52, Kind::OversizeOff, "oversize off", "P", &[]),
     refused(53, "zero shift by machine parameter"),
     refused(54, "zero shift by machine parameter"),
     refused(55, "zero shift by machine parameter"),
-    row(56, Kind::ShiftAdditive, "additive zero shift", "XZ", &[]),
+    row(56, Kind::Shift(ShiftOf::Additive), "additive zero shift", "XZ", &[]),
     row(57, Kind::OversizeParaxial, "paraxial oversize", "XZ", &[]),
     row(58, Kind::OversizeEquidistant, "equidistant oversize", "P", &[]),
-    row(59, Kind::ShiftAbsolute, "absolute zero shift", "XZ", &[]),
+    row(59, Kind::Shift(ShiftOf::Absolute), "absolute zero shift", "XZ", &[]),
     refused(64, "interrupted feed"),
     cycle(71),
     refused(72, "counterboring"),

@@ -2,91 +2,64 @@
 
 use crate::diag::{Answer, codes};
 use crate::ir::Function;
-use crate::ir::function::{Coolant, Turn};
+use crate::ir::function::{Coolant, Spindle};
+use crate::machine::Settings;
+use crate::sema::common::m_functions::{end_last, standard};
+use crate::sema::run::refusal::{Made, refused};
 
 use super::words::{Fun, Words};
 use super::{Outcome, Run};
 
-/// What an M function does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum What {
-    Spindle(Option<Turn>),
-    Coolant(Coolant),
-    Stop,
-    OptionalStop,
-    End,
-    Pass,
+/// What an M function does, if it is known or may pass.
+fn what(m: Fun, settings: &Settings) -> Made<Function> {
+    let number = u32::from(m.number);
+    match standard(number) {
+        Some(function) if !matches!(number, 2 | 7) => Ok(function),
+        _ if settings.output.pass_m.contains(&number) => Ok(Function::Aux(number)),
+        _ => refused(m.span, codes::P2007::m_belongs_to_machine(&number).answer(Answer::pass_m(number))),
+    }
+}
+
+/// Refuses functions that contradict each other, before anything is done.
+pub(super) fn check_m(w: &Words, settings: &Settings) -> Made {
+    for (i, m) in w.m().iter().enumerate() {
+        let function = what(*m, settings)?;
+        for other in &w.m()[..i] {
+            let clash = match (what(*other, settings)?, &function) {
+                (Function::Spindle(_), Function::Spindle(_)) | (Function::Coolant(_), Function::Coolant(_)) => true,
+                (Function::Aux(_), _) => false,
+                (a, b) => a == *b,
+            };
+            if clash {
+                return refused(m.span, codes::P1005::m_m_cannot_stand_in_one_block(&other.number, &m.number));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Does it act before the move of its block?
+fn is_at_start(function: &Function) -> bool {
+    match function {
+        Function::Spindle(spindle) => matches!(spindle, Spindle::Start(_)),
+        Function::Coolant(coolant) => *coolant != Coolant::Off,
+        function => matches!(function, Function::Aux(_)),
+    }
 }
 
 impl Run<'_> {
-    fn what(&self, m: Fun) -> Outcome<What> {
-        Ok(match m.number {
-            0 => What::Stop,
-            1 => What::OptionalStop,
-            3 => What::Spindle(Some(Turn::Clockwise)),
-            4 => What::Spindle(Some(Turn::CounterClockwise)),
-            5 => What::Spindle(None),
-            8 => What::Coolant(Coolant::Flood),
-            9 => What::Coolant(Coolant::Off),
-            30 => What::End,
-            number if self.core.job.settings.output.pass_m.contains(&u32::from(number)) => What::Pass,
-            number => {
-                return self
-                    .core
-                    .refuse(m.span, codes::P2007::m_belongs_to_machine(&number).answer(Answer::pass_m(number)));
+    /// What acts before the move, or after it.
+    pub(super) fn m_functions(&mut self, w: &Words, at_start: bool) -> Outcome {
+        for m in end_last(w.m(), |m| m.number == 30) {
+            let function = self.core.made(what(m, self.core.job.settings))?;
+            if is_at_start(&function) != at_start {
+                continue;
             }
-        })
-    }
-
-    /// Refuses functions that contradict each other, before anything is done.
-    pub(super) fn check_m(&self, w: &Words) -> Outcome {
-        for (i, m) in w.m().iter().enumerate() {
-            let what = self.what(*m)?;
-            for other in &w.m()[..i] {
-                let clash = match (self.what(*other)?, what) {
-                    (What::Spindle(_), What::Spindle(_)) | (What::Coolant(_), What::Coolant(_)) => true,
-                    (a, b) => a == b && a != What::Pass,
-                };
-                if clash {
-                    return self
-                        .core
-                        .refuse(m.span, codes::P1005::m_m_cannot_stand_in_one_block(&other.number, &m.number));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// What acts before the move.
-    pub(super) fn m_at_start(&mut self, w: &Words) -> Outcome {
-        for m in w.m() {
-            match self.what(*m)? {
-                What::Spindle(Some(turn)) => self.turn_spindle(Some(turn)),
-                What::Coolant(coolant) if coolant != Coolant::Off => self.function(Function::Coolant(coolant)),
-                What::Pass => self.function(Function::Aux(u32::from(m.number))),
-                _ => {}
-            }
-        }
-        Ok(())
-    }
-
-    /// What acts after the move.
-    pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
-        // The end of the job comes last, wherever it stands in the block.
-        for last in [false, true] {
-            for m in w.m() {
-                let what = self.what(*m)?;
-                if matches!(what, What::End) != last {
-                    continue;
-                }
-                match what {
-                    What::Spindle(None) => self.turn_spindle(None),
-                    What::Coolant(Coolant::Off) => self.function(Function::Coolant(Coolant::Off)),
-                    What::Stop => self.function(Function::Stop),
-                    What::OptionalStop => self.function(Function::OptionalStop),
-                    What::End => self.end_of_job(true)?,
-                    _ => {}
-                }
+            match function {
+                Function::Spindle(Spindle::Start(turn)) => self.turn_spindle(Some(turn)),
+                Function::Spindle(_) => self.turn_spindle(None),
+                Function::End { rewind } => self.end_of_job(rewind)?,
+                function => self.core.send_function(&function, &self.st.ctx),
             }
         }
         Ok(())

@@ -3,6 +3,7 @@
 //! X words are diameters here and radii in the contour stream; the working plane is ZX, so points are (Z, X).
 //! Source: T 2 to 7 and 13 (docs/sources.md).
 
+mod blank;
 mod block;
 mod called_contour;
 mod calls;
@@ -27,6 +28,7 @@ mod program_parts;
 mod readings;
 mod sections;
 mod sides;
+mod spindle;
 mod state;
 mod stock;
 mod survey;
@@ -38,8 +40,8 @@ mod vars;
 mod words;
 
 use crate::diag::codes;
-use crate::ir::contour::{Move, Sink};
-use crate::ir::{Function, Side};
+use crate::ir::Side;
+use crate::ir::contour::Sink;
 use crate::machine::Compensation;
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
@@ -49,12 +51,12 @@ use crate::text::{Span, SplitRules};
 pub use cycles::signatures as cycle_signatures;
 pub use survey::survey;
 
-use super::run::{self, Interpreter, Language, Level, Parsed};
-use super::value::Machine;
+use super::run::{self, Interpreter, Language, Level, Parsed, Where};
 use super::{Job, Outcome, Reported};
 use calls::{Frame, Names};
 use capture::Capture;
 use chain::Chain;
+use eval::Computing;
 use geometry::Geometry;
 use path::Tag;
 use program_parts::ProgramPart;
@@ -69,16 +71,14 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         core: Core::new(job, out),
         st: State::new(job.settings),
         vars: Vars::new(&job.settings.variables),
-        calls: 1,
         sections: Sections::new(job.settings),
         geometry: Geometry::default(),
         named: None,
         capture: None,
         chain: Chain::default(),
-        machine: Machine::new(eval::RULES),
         words: Some(Box::default()),
     };
-    if run::run(&mut run) { run.core.hash() } else { 0 }
+    run::run(&mut run)
 }
 
 /// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
@@ -125,8 +125,6 @@ struct Run<'a> {
     core: Core<'a>,
     st: State,
     vars: Vars,
-    /// Calls made so far, the main program included.
-    calls: u32,
     sections: Sections,
     geometry: Geometry,
     /// The contour that ID of the cycle in hand names.
@@ -135,7 +133,6 @@ struct Run<'a> {
     capture: Option<Box<Capture>>,
     /// Moves that wait for the next one.
     chain: Chain<Tag>,
-    machine: Machine,
     words: Option<Box<Words>>,
 }
 
@@ -156,8 +153,8 @@ impl<'a> Interpreter<'a> for Run<'a> {
         if self.core.skips(block.skip) {
             return;
         }
-        if let Some(comment) = block.comment {
-            self.comment(comment.of(text));
+        if let Some(comment) = block.comment.filter(|_| !self.sections.is_unread()) {
+            self.core.send_comment(comment.of(text), &self.st.ctx);
         }
         if block.stmt == Stmt::Empty {
             return;
@@ -181,71 +178,8 @@ impl<'a> Interpreter<'a> for Run<'a> {
         }
     }
 
+    /// What is still open is worth a word.
     fn finish(&mut self) {
-        self.report_open();
-    }
-}
-
-impl Run<'_> {
-    fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        if self.sections.is_unread() && !matches!(block.stmt, Stmt::Section(..)) {
-            return Ok(());
-        }
-        if self.sections.part == ProgramPart::Names && !matches!(block.stmt, Stmt::Section(..)) {
-            return self.names_line();
-        }
-        if let Some(slide) = block.slide.filter(|slide| *slide != 1) {
-            return self.slide(slide);
-        }
-        match block.stmt {
-            Stmt::Empty => Ok(()),
-            Stmt::Words => self.words_block(block, text),
-            Stmt::Bad => {
-                self.lose_all();
-                Err(Reported)
-            }
-            Stmt::Program(_) => self.program_line(),
-            Stmt::Head { key, value } => self.head_line(key.of(text), value.of(text), value),
-            Stmt::Section(section, rest) => self.section(section, rest, text),
-            Stmt::Unit => self.unit(true),
-            Stmt::EndUnit => self.unit(false),
-            Stmt::Slide(number) => self.slide(number),
-            Stmt::Refused(word) => {
-                self.lose_all();
-                let problem = problem::keyword(word, text);
-                self.core.report_problem(problem);
-                Err(Reported)
-            }
-            _ => self.flow_block(block),
-        }
-    }
-
-    fn comment(&mut self, text: &[u8]) {
-        if !self.sections.is_unread()
-            && let Some(comment) = self.core.comment_of(text)
-        {
-            self.function(comment);
-        }
-    }
-
-    #[inline]
-    fn movement(&mut self, mv: &Move) {
-        self.core.send_move(mv, &self.st.ctx);
-    }
-
-    fn function(&mut self, function: Function) {
-        self.core.send_function(&function, &self.st.ctx);
-    }
-
-    /// Nobody knows where the tool is.
-    fn lose_all(&mut self) {
-        self.chain.clear();
-        self.st.lose();
-        self.core.send_lost(&self.st.ctx);
-    }
-
-    /// End of the whole run: what is still open is worth a word.
-    fn report_open(&mut self) {
         if let Some(capture) = self.capture.take() {
             self.core.report(codes::T3003::contour_of_this_cycle_has_no_end().at(capture.loc()));
         }
@@ -253,8 +187,65 @@ impl Run<'_> {
         // Of a contour that is computed the path itself tells.
         let computed = self.core.job.settings.output.compensation == Compensation::Resolve;
         if self.st.compensation.is_on() && !(computed && self.st.compensation.sent() != Side::None) {
-            self.core.report(codes::T2021::program_ends_with_nose_radius_compensation().at(self.core.here.origin.loc));
+            self.core.say_here(codes::T2021::program_ends_with_nose_radius_compensation());
         }
+    }
+}
+
+impl Run<'_> {
+    fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let is_section = matches!(block.stmt, Stmt::Section(..));
+        if self.sections.is_unread() && !is_section {
+            return Ok(());
+        }
+        if self.sections.part == ProgramPart::Names && !is_section {
+            return self.core.names_line();
+        }
+        let here = if let Stmt::Slide(number) = block.stmt { Some(number) } else { None };
+        if let Some(slide) = [block.slide, here].into_iter().flatten().find(|slide| *slide != 1) {
+            self.lose_all();
+            return self.core.other_slide(slide);
+        }
+        match block.stmt {
+            Stmt::Empty | Stmt::Slide(_) => {}
+            Stmt::Section(section, rest) => return self.section(section, rest, text),
+            Stmt::Words => return self.words_block(block, text),
+            Stmt::Bad => {
+                self.lose_all();
+                return Err(Reported);
+            }
+            Stmt::Program(_) => {
+                let begun = std::mem::replace(&mut self.core.level().frame.begun, true);
+                return self.core.made_at(Where::Block, self.sections.program_line(begun));
+            }
+            Stmt::Head { key, value } => {
+                let unit = self.core.made(self.sections.head_line(key.of(text), value.of(text), value))?;
+                self.st.unit = unit.unwrap_or(self.st.unit);
+            }
+            Stmt::Unit | Stmt::EndUnit => {
+                self.settle_chain()?;
+                if let Some(fault) = self.sections.unit(block.stmt == Stmt::Unit) {
+                    self.core.say_here(fault);
+                }
+            }
+            Stmt::Refused(word) => {
+                self.lose_all();
+                self.core.report_problem(problem::keyword(word, text));
+                return Err(Reported);
+            }
+            _ => {
+                self.settle_chain()?;
+                if !self.sections.part.is_executed() || self.capture.is_some() {
+                    let fault = codes::T1008::variables_program_flow_belong_into_section_machining();
+                    return self.core.refuse(block.span, fault);
+                }
+                self.sections.settle_family();
+                self.core.level().frame.begun = true;
+                let Run { core, vars, .. } = self;
+                return (Computing { core, vars }).flow_block(block);
+            }
+        }
+        Ok(())
     }
 }
 

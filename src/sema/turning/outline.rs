@@ -15,6 +15,7 @@ use super::element_data::Transition;
 use super::forms::{self, Recess};
 use super::sides::Form;
 use super::undercuts::{self, Undercut};
+use super::{Core, Outcome, Reported};
 
 /// The largest contour a cycle takes.
 pub(super) const MOST_EDGES: usize = 1_000;
@@ -73,6 +74,20 @@ pub(super) struct BuiltElement {
 pub(super) struct Flaw {
     pub loc: Loc,
     pub fault: Fault,
+}
+
+impl Core<'_> {
+    pub(super) fn flaw(&self, flaw: &Flaw) {
+        self.report(flaw.fault.clone().at(flaw.loc));
+    }
+
+    /// What was made of a contour; reports the flaw where it was not.
+    pub(super) fn flawless<T>(&self, result: Result<T, Flaw>) -> Outcome<T> {
+        result.map_err(|flaw| {
+            self.flaw(&flaw);
+            Reported
+        })
+    }
 }
 
 /// A contour under construction.
@@ -194,7 +209,7 @@ impl Builder {
                 Some((undercut, mark)) => {
                     let next = self.pieces.get(i + 1).map(|next| next.solved);
                     let made = undercuts::build(undercut, &line, next.as_ref())
-                        .map_err(|why| Flaw { loc: mark.loc, fault: why.fault().help(CHECK) })?;
+                        .map_err(|fault| Flaw { loc: mark.loc, fault: fault.help(CHECK) })?;
                     Some((made, *mark))
                 }
             };
@@ -241,6 +256,14 @@ fn element_with_recesses(
         let made = forms::build(recess, &line).map_err(|fault| Flaw { loc: mark.loc, fault })?;
         recesses.push((made, *mark));
     }
+    let part = |element, transition| OutlinePart {
+        element,
+        transition,
+        mark: piece.mark,
+        corner_of: piece.mark.number,
+        form: None,
+        thread: piece.thread,
+    };
     let way = |p: Point2| line.element().way_to(p);
     recesses.sort_by(|a, b| way(a.0.from).total_cmp(&way(b.0.from)));
     let mut from = line.from;
@@ -250,14 +273,7 @@ fn element_with_recesses(
             return Err(Flaw { loc: mark.loc, fault });
         }
         let element = Element::Line { from, to: made.from };
-        out.push(OutlinePart {
-            element,
-            transition: made.edges.0,
-            mark: piece.mark,
-            corner_of: mark.number,
-            form: None,
-            thread: piece.thread,
-        });
+        out.push(OutlinePart { corner_of: mark.number, ..part(element, made.edges.0) });
         let form = Form::recess(&line, &made, mark.loc);
         for (element, transition) in made.elements {
             out.push(OutlinePart { element, transition, mark, corner_of: mark.number, form, thread: None });
@@ -265,14 +281,7 @@ fn element_with_recesses(
         from = made.to;
     }
     let element = if from == line.from { line.element() } else { Element::Line { from, to: line.to } };
-    out.push(OutlinePart {
-        element,
-        transition,
-        mark: piece.mark,
-        corner_of: piece.mark.number,
-        form: None,
-        thread: piece.thread,
-    });
+    out.push(part(element, transition));
     Ok(())
 }
 

@@ -10,9 +10,10 @@ pub(super) enum Family {
 }
 
 /// What the blocks are read as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum ProgramPart {
     /// No section yet: blocks are executed.
+    #[default]
     Start,
     Head,
     Turret,
@@ -23,4 +24,11 @@ pub(super) enum ProgramPart {
     Machining,
     /// Behind RETURN: a section has to follow.
     Between,
+}
+
+impl ProgramPart {
+    /// Its blocks are executed.
+    pub fn is_executed(self) -> bool {
+        matches!(self, ProgramPart::Start | ProgramPart::Machining)
+    }
 }

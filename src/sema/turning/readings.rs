@@ -8,9 +8,9 @@ use std::fmt::Display;
 use crate::diag::fault::Asking;
 use crate::diag::{Answer, Fault, codes};
 use crate::machine::Settings;
-use crate::text::Span;
+use crate::sema::run::Where;
 
-use super::Run;
+use super::Core;
 use super::words::Words;
 
 /// A question that the manuals leave open.
@@ -37,68 +37,52 @@ pub(super) enum Question {
 }
 
 impl Question {
-    /// The reading in use, and what settles it: a key of `[control]` where there is one.
-    pub fn fault(self) -> Fault {
-        let settled = |asking: Asking, key| asking.answer(Answer::key("control", key));
-        match self {
-            Question::ThreadLeft => settled(codes::T8001::left_is_ahead_of_cut(), "thread_left"),
-            Question::ThreadFace => settled(codes::T8002::face_is_taken_from_edge(), "thread_face"),
-            Question::SimpleThread => settled(codes::T8003::words_of_g32_are_read(), "simple_thread"),
-            Question::Infeed => settled(codes::T8004::infeed_is_taken_as_radius(), "infeed"),
-            Question::LineAngle => settled(codes::T8005::angle_counts_from_minus_z(), "line_angle"),
-            Question::ArcChoice => settled(codes::T8006::q0_is_near_solution(), "turning_arc_q"),
-            Question::UndercutLimit => settled(codes::T8007::table_has_no_row_for_diameter(), "undercut_limit"),
-            Question::UndercutSide => codes::T8008::side_is_taken_from_edge(),
-            Question::ContourWords => settled(codes::T8009::words_of_g80_are_read(), "contour_words"),
-            Question::RecessBlank => settled(codes::T8010::ri_counts_on_diameter(), "recess_blank"),
-            Question::TurningDepth => settled(codes::T8011::compensation_lifts_tool(), "turning_depth"),
-            Question::OffsetOneWay => settled(codes::T8012::offset_width_has_no_effect(), "offset_one_way"),
-            Question::RecessDepth => settled(codes::T8013::incremental_i_counts_on_diameter(), "recess_depth"),
-            Question::RecessWidth => settled(codes::T8014::k_is_width_of_opening(), "recess_width"),
-            Question::RecessOversize => settled(codes::T8015::oversize_is_left_on_floor_and_walls(), "recess_oversize"),
-            Question::BlankContour => codes::T8016::blank_is_drawn_as_contour(),
-            Question::NosePath => codes::T8019::ends_of_compensation_are_partcs(),
-            Question::FinishingSide => codes::T8018::side_is_taken_from_tool(),
-        }
-    }
-
-    /// Did the configuration decide it?
-    pub fn is_settled(self, settings: &Settings) -> bool {
+    /// The reading in use, and what settles it: a key of `[control]` where there is one. None where the configuration decided it.
+    pub fn open(self, settings: &Settings) -> Option<Fault> {
+        use Question::*;
         let set = &settings.control.turning;
-        match self {
-            Question::ThreadLeft => set.left_is_plus.is_some(),
-            Question::ThreadFace => set.rear_face.is_some(),
-            Question::SimpleThread => set.refuse_simple_thread.is_some(),
-            Question::Infeed => set.infeed.is_some(),
-            Question::LineAngle => set.angle_from_plus.is_some(),
-            Question::ArcChoice => set.arc_choice.is_some(),
-            Question::UndercutLimit => set.undercut_upper.is_some(),
-            Question::ContourWords => set.refuse_contour_words.is_some(),
-            Question::RecessBlank => set.recess_blank.is_some(),
-            Question::TurningDepth => set.towards_floor.is_some(),
-            Question::OffsetOneWay => set.offset_one_way.is_some(),
-            Question::RecessDepth => set.recess_depth.is_some(),
-            Question::RecessWidth => set.recess_width.is_some(),
-            Question::RecessOversize => set.oversize_on_floor.is_some(),
-            Question::UndercutSide | Question::BlankContour | Question::FinishingSide | Question::NosePath => false,
-        }
+        let (is_set, asking, key): (bool, fn() -> Asking, &str) = match self {
+            ThreadLeft => (set.left_is_plus.is_some(), codes::T8001::left_is_ahead_of_cut, "thread_left"),
+            ThreadFace => (set.rear_face.is_some(), codes::T8002::face_is_taken_from_edge, "thread_face"),
+            SimpleThread => (set.refuse_simple_thread.is_some(), codes::T8003::words_of_g32_are_read, "simple_thread"),
+            Infeed => (set.infeed.is_some(), codes::T8004::infeed_is_taken_as_radius, "infeed"),
+            LineAngle => (set.angle_from_plus.is_some(), codes::T8005::angle_counts_from_minus_z, "line_angle"),
+            ArcChoice => (set.arc_choice.is_some(), codes::T8006::q0_is_near_solution, "turning_arc_q"),
+            UndercutLimit => {
+                (set.undercut_upper.is_some(), codes::T8007::table_has_no_row_for_diameter, "undercut_limit")
+            }
+            UndercutSide => return Some(codes::T8008::side_is_taken_from_edge()),
+            ContourWords => (set.refuse_contour_words.is_some(), codes::T8009::words_of_g80_are_read, "contour_words"),
+            RecessBlank => (set.recess_blank.is_some(), codes::T8010::ri_counts_on_diameter, "recess_blank"),
+            TurningDepth => (set.towards_floor.is_some(), codes::T8011::compensation_lifts_tool, "turning_depth"),
+            OffsetOneWay => (set.offset_one_way.is_some(), codes::T8012::offset_width_has_no_effect, "offset_one_way"),
+            RecessDepth => (set.recess_depth.is_some(), codes::T8013::incremental_i_counts_on_diameter, "recess_depth"),
+            RecessWidth => (set.recess_width.is_some(), codes::T8014::k_is_width_of_opening, "recess_width"),
+            RecessOversize => {
+                (set.oversize_on_floor.is_some(), codes::T8015::oversize_is_left_on_floor_and_walls, "recess_oversize")
+            }
+            BlankContour => return Some(codes::T8016::blank_is_drawn_as_contour()),
+            FinishingSide => return Some(codes::T8018::side_is_taken_from_tool()),
+            NosePath => return Some(codes::T8019::ends_of_compensation_are_partcs()),
+        };
+        (!is_set).then(|| asking().answer(Answer::key("control", key)))
     }
 }
 
-impl Run<'_> {
+impl Core<'_> {
     /// A word of the block that changes nothing here: worth a note, as no word goes in silence.
     pub(super) fn without_effect(&self, w: &Words, letters: &[u8], idle: fn(&dyn Display) -> Fault) {
         for letter in letters {
             if let Some(num) = w.get(*letter) {
-                self.core.say(num.span, idle(&(*letter as char)));
+                self.say(num.span, idle(&(*letter as char)));
             }
         }
     }
 
     /// The block depends on `question`: the first one of the program says so.
-    pub(super) fn depends_on(&self, question: Question, span: Span) {
-        if !question.is_settled(self.core.job.settings) {
-            self.core.say_once(span, question.fault());
+    pub(super) fn depends_on(&self, question: Question, place: impl Into<Where>) {
+        if let Some(fault) = question.open(self.job.settings) {
+            self.say_once(place, fault);
         }
     }
 }

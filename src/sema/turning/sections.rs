@@ -1,19 +1,23 @@
 //! Sections of a program, header lines, units; which control a program was written for.
 
-use crate::diag::{Answer, Label, codes};
+use std::ops::ControlFlow;
+
+use crate::diag::{Answer, Fault, Label, codes};
 use crate::ir::Function;
 use crate::machine::{Settings, Unit};
 use crate::parser::turning::ast::{Block, Section, Stmt, Value};
 use crate::parser::turning::parse_block;
-use crate::text::{Loc, Next, Span, decode::readable};
+use crate::sema::run::Where;
+use crate::sema::run::refusal::{Made, refused};
+use crate::text::{Loc, Span, decode::readable};
 
 use super::calls::LevelKind;
 use super::program_parts::{Family, ProgramPart};
 use super::words::{Words, letters};
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
 
 /// The sections met so far.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Sections {
     configured: Option<Family>,
     family: Option<Family>,
@@ -26,9 +30,6 @@ pub(super) struct Sections {
     framed: bool,
     /// The section of a subprogram is being passed.
     passing: bool,
-    /// That another slide moves, and that names are not read, was said.
-    slide_said: bool,
-    names_said: bool,
 }
 
 impl Sections {
@@ -38,18 +39,7 @@ impl Sections {
             "" => None,
             _ => Some(Family::DinPlus),
         };
-        Sections {
-            configured,
-            family: configured,
-            part: ProgramPart::Start,
-            tools: Vec::new(),
-            unit_said: false,
-            unit_open: false,
-            framed: false,
-            passing: false,
-            slide_said: false,
-            names_said: false,
-        }
+        Sections { configured, family: configured, ..Sections::default() }
     }
 
     /// The family; a program without sections is one of the 4110.
@@ -76,216 +66,199 @@ impl Sections {
     }
 }
 
-impl Run<'_> {
-    /// `%name.nc`
-    pub(super) fn program_line(&mut self) -> Outcome {
-        if self.core.level().frame.begun {
-            return self.core.refuse(self.core.block_span(), codes::T1008::program_name_stands_in_middle_of_program());
+/// What lines of sections and headers say.
+impl Sections {
+    /// `%name.nc`; `begun`: a block of the program ran.
+    pub fn program_line(&mut self, begun: bool) -> Result<(), Fault> {
+        if begun {
+            return Err(codes::T1008::program_name_stands_in_middle_of_program());
         }
-        self.core.level().frame.begun = true;
-        self.sections.framed = true;
+        self.framed = true;
         Ok(())
     }
 
     /// A section or header line of DIN PLUS.
-    fn enter_din_plus(&mut self) -> Outcome {
-        self.sections.framed = true;
-        match (self.sections.configured, self.sections.family) {
+    fn enter_din_plus(&mut self) -> Result<(), Fault> {
+        self.framed = true;
+        match (self.configured, self.family) {
             (Some(Family::Basic), _) => {
                 // Once is enough; what follows is read as what it is.
-                self.sections.configured = Some(Family::DinPlus);
-                self.sections.family = Some(Family::DinPlus);
-                self.core.refuse(
-                    self.core.block_span(),
-                    codes::T2017::programs_of_manualplus_4110_have_no_sections()
-                        .answer(Answer::key("control", "heidenhain_turning")),
-                )
+                (self.configured, self.family) = (Some(Family::DinPlus), Some(Family::DinPlus));
+                Err(codes::T2017::programs_of_manualplus_4110_have_no_sections()
+                    .answer(Answer::key("control", "heidenhain_turning")))
             }
-            (None, Some(Family::Basic)) => {
-                self.core.refuse(self.core.block_span(), codes::T1008::section_begins_behind_blocks_that_ran_already())
-            }
+            (None, Some(Family::Basic)) => Err(codes::T1008::section_begins_behind_blocks_that_ran_already()),
             _ => {
-                self.sections.family = Some(Family::DinPlus);
+                self.family = Some(Family::DinPlus);
                 Ok(())
             }
         }
     }
 
-    /// `#UNIT METRIC`
-    pub(super) fn head_line(&mut self, key: &[u8], value: &[u8], span: Span) -> Outcome {
-        self.enter_din_plus()?;
-        if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Head) {
-            return self.core.refuse(self.core.block_span(), codes::T1008::header_lines_stand_in_section_header());
+    /// `#UNIT METRIC`: the unit, where it is the line of it.
+    pub fn head_line(&mut self, key: &[u8], value: &[u8], span: Span) -> Made<Option<Unit>> {
+        self.enter_din_plus().or_else(|fault| refused(Where::Block, fault))?;
+        if !matches!(self.part, ProgramPart::Start | ProgramPart::Head) {
+            return refused(Where::Block, codes::T1008::header_lines_stand_in_section_header());
         }
-        let key = key.to_ascii_uppercase();
         let value = readable(value).trim().to_ascii_uppercase();
-        match key.as_slice() {
-            b"UNIT" | b"EINHEIT" => self.unit_line(&value, span),
-            b"SLIDE" | b"SCHLITTEN" => {
-                if value.split(|c: char| !c.is_alphanumeric() && c != '$').any(|slide| slide == "$1" || slide == "1") {
-                    return Ok(());
+        match key.to_ascii_uppercase().as_slice() {
+            b"UNIT" | b"EINHEIT" => {
+                self.unit_said = true;
+                match value.trim_start_matches('/') {
+                    "METRIC" | "METRISCH" | "MM" => Ok(Some(Unit::Mm)),
+                    "INCH" | "ZOLL" => Ok(Some(Unit::Inch)),
+                    _ => refused(span, codes::T1014::is_no_unit(&value)),
                 }
-                self.core.refuse(span, codes::T2022::program_is_for_slide(&value))
+            }
+            b"SLIDE" | b"SCHLITTEN" => {
+                let mut slides = value.split(|c: char| !c.is_alphanumeric() && c != '$');
+                if slides.any(|slide| slide == "$1" || slide == "1") {
+                    return Ok(None);
+                }
+                refused(span, codes::T2022::program_is_for_slide(&value))
             }
             // Free text.
-            _ => Ok(()),
+            _ => Ok(None),
         }
     }
 
-    fn unit_line(&mut self, value: &str, span: Span) -> Outcome {
-        self.sections.unit_said = true;
-        let unit = match value.trim_start_matches('/') {
-            "METRIC" | "METRISCH" | "MM" => Unit::Mm,
-            "INCH" | "ZOLL" => Unit::Inch,
-            _ => {
-                return self.core.refuse(span, codes::T1014::is_no_unit(&value));
-            }
+    /// `UNIT` and `END_OF_UNIT`: the blocks between stand there in full. What is wrong with it.
+    pub fn unit(&mut self, opens: bool) -> Option<Fault> {
+        let odd = std::mem::replace(&mut self.unit_open, opens) == opens;
+        let fault =
+            if opens { codes::T1012::unit_begins_inside_another } else { codes::T1012::unit_ends_that_did_not_begin };
+        odd.then(fault)
+    }
+
+    /// `T1 ID"…"`: what of it is not used.
+    pub fn turret_line(&mut self, w: &Words, text: &[u8]) -> Made<Option<Fault>> {
+        let Some(num) = w.get(b'T') else {
+            return refused(Where::Block, codes::P1004::line_of_turret_section_names_position());
         };
-        self.st.unit = unit;
-        Ok(())
+        let more = w.present() & !letters("T") != 0 || !w.longs().is_empty() || !w.g().is_empty();
+        let digits = num.span.of(text);
+        let edge = digits.iter().position(|b| *b == b'.').and_then(|at| digits.get(at + 1)).map_or(0, |b| b - b'0');
+        if let Some(span) = w.text("ID") {
+            self.tools.push((num.value as u32, edge, readable(span.of(text)).into_owned()));
+        }
+        let unused =
+            || codes::T2023::data_of_this_tool_is_not_used(&num.value).answer(Answer::tool(num.value, "radius"));
+        Ok(more.then(unused))
     }
 
-    pub(super) fn section(&mut self, section: Section, rest: Span, text: &[u8]) -> Outcome {
-        self.settle_chain()?;
-        match section {
-            Section::Return => return self.return_section(),
-            Section::End if self.sections.passing => {
-                return self.core.refuse(self.core.block_span(), codes::T1008::subprogram_ends_with_return());
-            }
-            Section::End => return self.end_of_job(false),
-            _ => {}
-        }
-        if self.core.levels.len() > 1 {
-            return self.core.refuse(self.core.block_span(), codes::T1008::section_begins_inside_subprogram());
-        }
-        self.enter_din_plus()?;
-        if let Some(nest) = self.core.level().frame.nests.last() {
-            let loc = nest.loc;
-            self.core.report(
-                codes::T1009::this_is_not_closed_when_next_section()
-                    .at(loc)
-                    .also(self.core.here.origin.loc, Label::Section),
-            );
-            self.core.level().frame.nests.clear();
-        }
-        self.core.level().frame.begun = true;
-        self.finish_contour();
-        self.sections.part = match section {
+    /// What the blocks behind a section code are read as. None of RETURN, and none of END.
+    fn begin(&mut self, section: Section, rest: &[u8]) -> Result<ProgramPart, Fault> {
+        Ok(match section {
             Section::Head => ProgramPart::Head,
             Section::Turret => ProgramPart::Turret,
             Section::Clamping | Section::AuxiliaryBlank | Section::Milling => ProgramPart::Unread,
-            Section::Contours => self.contours(rest, text)?,
-            Section::Blank | Section::Finished | Section::AuxiliaryContour => {
-                self.geometry.in_blank = section == Section::Blank;
-                let id = rest.of(text).trim_ascii();
-                let name = quoted_id(id);
-                if !id.is_empty() && name.is_none() && section == Section::AuxiliaryContour {
-                    return self.core.refuse(rest, codes::P1001::this_does_not_name_contour());
-                }
-                self.begin_contour(name.map(|name| readable(name).into_owned()));
-                ProgramPart::Contour
+            Section::Contours => {
+                one_part(rest)?;
+                ProgramPart::Between
             }
-            Section::Machining => ProgramPart::Machining,
-            Section::Assignment => {
-                self.assignment(rest, text)?;
-                ProgramPart::Machining
+            Section::Blank | Section::Finished | Section::AuxiliaryContour => ProgramPart::Contour,
+            Section::Assignment if rest.trim_ascii() != b"$1" => {
+                return Err(codes::T2022::these_blocks_are_for_other_slides());
             }
+            Section::Machining | Section::Assignment => ProgramPart::Machining,
             Section::Names => ProgramPart::Names,
             Section::Subprogram => {
-                self.sections.passing = true;
+                self.passing = true;
                 ProgramPart::Unread
             }
-            Section::Return | Section::End => self.sections.part,
-        };
-        Ok(())
+            Section::Return | Section::End => self.part,
+        })
+    }
+}
+
+/// `CONTOUR Q1 X0 Z0`: one part at the workpiece zero is what every program means.
+fn one_part(rest: &[u8]) -> Result<(), Fault> {
+    let (mut block, mut problems) = (Block::default(), Vec::new());
+    parse_block(rest, &mut block, &mut problems);
+    let plain = block.words.iter().all(|word| match (word.address.addr.letter(), word.value) {
+        (Some(b'Q'), Value::Number { value, .. }) => value == 1.0,
+        (Some(b'X' | b'Z'), Value::Number { value, .. }) => value == 0.0,
+        _ => false,
+    });
+    if problems.is_empty() && plain { Ok(()) } else { Err(codes::T9002::several_contours_on_one_bar_are_not()) }
+}
+
+impl Core<'_> {
+    /// A block for another slide than the first: said once.
+    pub(super) fn other_slide(&self, number: u32) -> Outcome {
+        if self.job.diags.first_time(codes::T2022, ()) {
+            self.say(Where::Block, codes::T2022::block_is_for_slide(&number));
+        }
+        Err(Reported)
     }
 
-    /// `CONTOUR Q1 X0 Z0`: one part at the workpiece zero is what every program means.
-    fn contours(&mut self, rest: Span, text: &[u8]) -> Outcome<ProgramPart> {
-        let mut block = Block::default();
-        parse_block(rest.of(text), &mut block, &mut self.core.problems);
-        let plain = block.words.iter().all(|word| match (word.address.addr.letter(), word.value) {
-            (Some(b'Q'), Value::Number { value, .. }) => value == 1.0,
-            (Some(b'X' | b'Z'), Value::Number { value, .. }) => value == 0.0,
-            _ => false,
+    /// A line of the sections CONST and VAR: said once.
+    pub(super) fn names_line(&self) -> Outcome {
+        if self.job.diags.first_time(codes::T9002, ()) {
+            self.say(Where::Block, codes::T9002::names_of_constants());
+        }
+        Err(Reported)
+    }
+
+    /// Warns about blocks behind END; local subprograms may stand there.
+    fn look_behind_end(&mut self) {
+        let (mut block, mut ignored) = (Block::default(), Vec::new());
+        let program = self.level().program;
+        let behind = self.first_behind(program, |text| {
+            parse_block(text, &mut block, &mut ignored);
+            ignored.clear();
+            match block.stmt {
+                Stmt::Empty => ControlFlow::Continue(()),
+                Stmt::Section(Section::Subprogram, _) => ControlFlow::Break(None),
+                _ => ControlFlow::Break(Some(block.span)),
+            }
         });
-        if !self.core.problems.is_empty() || !plain {
-            self.core.problems.clear();
-            return self.core.refuse(self.core.block_span(), codes::T9002::several_contours_on_one_bar_are_not());
+        if let Some(loc) = behind {
+            self.report(codes::P1008::this_stands_behind_end_of_program().at(loc));
         }
-        Ok(ProgramPart::Between)
     }
+}
 
-    fn assignment(&mut self, rest: Span, text: &[u8]) -> Outcome {
-        let rest = rest.of(text).trim_ascii();
-        if rest == b"$1" {
-            return Ok(());
-        }
-        self.core.refuse(self.core.block_span(), codes::T2022::these_blocks_are_for_other_slides())
-    }
-
-    /// `$1` in front of blocks.
-    pub(super) fn slide(&mut self, number: u32) -> Outcome {
-        if number == 1 {
-            return Ok(());
-        }
-        self.lose_all();
-        if std::mem::replace(&mut self.sections.slide_said, true) {
-            return Err(Reported);
-        }
-        self.core.refuse(self.core.block_span(), codes::T2022::block_is_for_slide(&number))
-    }
-
-    /// A line of the sections CONST and VAR.
-    pub(super) fn names_line(&mut self) -> Outcome {
-        if std::mem::replace(&mut self.sections.names_said, true) {
-            return Err(Reported);
-        }
-        self.core.refuse(self.core.block_span(), codes::T9002::names_of_constants())
-    }
-
-    /// `UNIT` and `END_OF_UNIT`: the blocks between stand there in full.
-    pub(super) fn unit(&mut self, opens: bool) -> Outcome {
+impl Run<'_> {
+    pub(super) fn section(&mut self, section: Section, rest: Span, text: &[u8]) -> Outcome {
         self.settle_chain()?;
-        if self.sections.unit_open == opens {
-            self.core.say_here(if opens {
-                codes::T1012::unit_begins_inside_another()
-            } else {
-                codes::T1012::unit_ends_that_did_not_begin()
-            });
+        match section {
+            Section::Return if self.sections.passing => {
+                self.sections.passing = false;
+                self.sections.part = ProgramPart::Between;
+                return Ok(());
+            }
+            Section::Return if self.core.level().frame.kind != LevelKind::Main => return self.return_from_subprogram(),
+            Section::End if self.sections.passing => {
+                return self.core.refuse(Where::Block, codes::T1008::subprogram_ends_with_return());
+            }
+            Section::Return | Section::End => return self.end_of_job(false),
+            _ => {}
         }
-        self.sections.unit_open = opens;
+        if self.core.levels.len() > 1 {
+            return self.core.refuse(Where::Block, codes::T1008::section_begins_inside_subprogram());
+        }
+        self.core.made_at(Where::Block, self.sections.enter_din_plus())?;
+        if let Some(loc) = self.core.level().frame.open() {
+            let found = codes::T1009::this_is_not_closed_when_next_section().at(loc);
+            self.core.report(found.also(self.core.here.origin.loc, Label::Section));
+            self.core.level().frame.nests.clear();
+        }
+        self.core.level().frame.begun = true;
+        self.geometry.finish(&self.core);
+        let part = self.core.made_at(Where::Block, self.sections.begin(section, rest.of(text)))?;
+        if part == ProgramPart::Contour {
+            self.geometry.in_blank = section == Section::Blank;
+            let id = rest.of(text).trim_ascii();
+            let name = quoted_id(id);
+            if !id.is_empty() && name.is_none() && section == Section::AuxiliaryContour {
+                return self.core.refuse(rest, codes::P1001::this_does_not_name_contour());
+            }
+            self.geometry.begin(name.map(|name| readable(name).into_owned()));
+        }
+        self.sections.part = part;
         Ok(())
-    }
-
-    /// `T1 ID"…"`
-    pub(super) fn turret_line(&mut self, w: &Words, text: &[u8]) -> Outcome {
-        let Some(num) = w.get(b'T') else {
-            return self.core.refuse(self.core.block_span(), codes::P1004::line_of_turret_section_names_position());
-        };
-        if w.present() & !letters("T") != 0 || !w.longs().is_empty() || !w.g().is_empty() {
-            let tool = num.value;
-            self.core.say_here(codes::T2023::data_of_this_tool_is_not_used(&tool).answer(Answer::tool(tool, "radius")));
-        }
-        let name = w.text("ID").map(|span| readable(span.of(text)).into_owned());
-        let digits = num.span.of(text);
-        let edge = digits.iter().position(|b| *b == b'.').and_then(|at| digits.get(at + 1)).map_or(0, |b| b - b'0');
-        if let Some(name) = name {
-            self.sections.tools.push((num.value as u32, edge, name));
-        }
-        Ok(())
-    }
-
-    fn return_section(&mut self) -> Outcome {
-        if self.sections.passing {
-            self.sections.passing = false;
-            self.sections.part = ProgramPart::Between;
-            return Ok(());
-        }
-        match self.core.level().frame.kind {
-            LevelKind::Main => self.end_of_job(false),
-            _ => self.return_from_subprogram(),
-        }
     }
 
     /// END, RETURN of a macro, M30.
@@ -295,54 +268,30 @@ impl Run<'_> {
             self.core.stop_run();
             return Err(Reported);
         }
-        if let Some(nest) = self.core.level().frame.nests.last() {
-            let loc = nest.loc;
+        if let Some(loc) = self.core.level().frame.open() {
             self.core.report(codes::T1009::this_is_not_closed_when_program_ends().at(loc));
         }
-        self.finish_contour();
-        if self.sections.family() == Family::DinPlus
-            && !self.sections.unit_said
-            && self.core.job.settings.control.unit.is_none()
-        {
+        self.geometry.finish(&self.core);
+        let has_unit = self.sections.unit_said || self.core.job.settings.control.unit.is_some();
+        if self.sections.family() == Family::DinPlus && !has_unit {
             let loc = Loc { file: self.core.job.main, line: 1, span: Span::at(0, 1) };
             self.core.job.diags.push(codes::T1013::no_unit_line().answer(Answer::key("control", "unit")).at(loc));
         }
-        self.function(Function::End { rewind });
+        self.core.send_function(&Function::End { rewind }, &self.st.ctx);
         self.core.stop_run();
         if !rewind && self.core.level().frame.kind == LevelKind::Main {
-            self.look_behind_end();
+            self.core.look_behind_end();
         }
         Ok(())
-    }
-
-    /// Warns about blocks behind END; local subprograms may stand there.
-    fn look_behind_end(&mut self) {
-        let sources = self.core.job.sources;
-        let program = self.core.program();
-        let file = program.source.file;
-        let mut block = Block::default();
-        let mut ignored = Vec::new();
-        let found = loop {
-            let Ok(Next::Block(text)) = program.source.cursor.next(sources) else { return };
-            parse_block(text.text, &mut block, &mut ignored);
-            ignored.clear();
-            match block.stmt {
-                Stmt::Empty => {}
-                Stmt::Section(Section::Subprogram, _) => return,
-                _ => break Loc { file, line: text.line, span: block.span.shifted(text.at) },
-            }
-        };
-        self.core.report(codes::P1008::this_stands_behind_end_of_program().at(found));
     }
 
     /// The file ends without END or RETURN.
     pub(super) fn file_over(&mut self) {
         let _ = self.settle_chain();
-        let called = self.core.levels.len() > 1;
-        if called || self.sections.framed || self.sections.passing {
+        let called = self.core.levels.len() > 1 || self.sections.passing;
+        if called || self.sections.framed {
             let loc = self.core.end_of_text();
-            let what = if called || self.sections.passing { "RETURN" } else { "END" };
-            self.core.report(codes::P1006::file_ends(&what).at(loc));
+            self.core.report(codes::P1006::file_ends(&if called { "RETURN" } else { "END" }).at(loc));
             self.core.stop_run();
             return;
         }
@@ -352,7 +301,7 @@ impl Run<'_> {
 }
 
 /// The name in `ID"…"`.
-pub(super) fn quoted_id(text: &[u8]) -> Option<&[u8]> {
+fn quoted_id(text: &[u8]) -> Option<&[u8]> {
     let rest = text.get(..2).filter(|id| id.eq_ignore_ascii_case(b"ID")).and(text.get(2..))?;
     rest.trim_ascii().strip_prefix(b"\"")?.strip_suffix(b"\"")
 }

@@ -2,33 +2,36 @@
 
 use std::rc::Rc;
 
-use crate::geo::{Plane, Point2};
+use crate::diag::{Fault, codes};
+use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{Ctx, CtxRef};
-use crate::ir::cycle::Layers;
+use crate::ir::cycle::recess::RecessTool;
 use crate::machine::{AxisSet, Settings, Unit};
 use crate::sema::common::compensation::Compensation;
 use crate::sema::common::feed::ModalFeed;
 use crate::sema::common::position::Position;
+use crate::sema::common::spindle::ModalSpindle;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::chain::Solved;
-use super::technology::{ActiveTool, Oversize, SpindleState};
+use super::element_data::Transition;
+use super::frames::Shift;
+use super::stock::Stock;
+use super::technology::Oversize;
+use super::tool_facts::ActiveTool;
 
 /// Everything that one block leaves to the next. Positions are millimetres, X is a radius.
 #[derive(Debug)]
 pub(super) struct State {
     pub unit: Unit,
     pub position: Position,
-    /// The last path element, for its direction.
-    pub last: Option<Solved>,
-    /// The last element ended in a chamfer, a rounding or B0: nothing is tangential to it.
-    pub cornered: bool,
+    pub last: Last,
     pub feed: ModalFeed,
     pub compensation: Compensation,
     /// Number of the tool in the cutting position.
     pub tool: Option<ActiveTool>,
-    pub spindle: SpindleState,
+    pub spindle: ModalSpindle,
     /// G47: clearance of the next cycles in mm.
     pub clearance: Option<f64>,
     pub oversize: Option<(Oversize, Loc)>,
@@ -37,30 +40,34 @@ pub(super) struct State {
     pub exact_stop: bool,
     /// Something moved already.
     pub moved: bool,
-    /// Something was cut from the blank already.
-    pub cut: bool,
-    /// The last roughing, and the shift of the zero it counts from.
-    pub roughed: Vec<(Rc<Layers>, f64)>,
+    pub stock: Stock,
     pub ctx: CtxRef,
 }
 
-/// Shifts of the workpiece zero along Z in mm.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Shift {
-    /// First G59, from which the output counts.
-    pub base: Option<f64>,
-    /// Last G59.
-    pub absolute: Option<f64>,
-    /// G51.
-    pub relative: f64,
-    /// Sum of G56.
-    pub additive: f64,
+/// The last path element, for its direction.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Last {
+    element: Option<Solved>,
+    /// It ended in a chamfer, a rounding or B0: nothing is tangential to it.
+    cornered: bool,
 }
 
-impl Shift {
-    pub fn total(&self) -> f64 {
-        let absolute = self.absolute.unwrap_or(0.0) - self.base.unwrap_or(0.0);
-        absolute + self.relative + self.additive
+impl Last {
+    /// The direction in which a tangential element goes on.
+    pub fn direction(&self) -> Option<Vec2> {
+        self.element.filter(|_| !self.cornered).and_then(|last| last.end_direction())
+    }
+
+    #[inline]
+    pub fn follow(&mut self, solved: Solved, transition: Transition) {
+        if solved.arc.is_some() || distance(solved.from, solved.to) > SAME_POINT {
+            self.element = Some(solved);
+        }
+        self.cornered = transition != Transition::Open;
+    }
+
+    pub fn forget(&mut self) {
+        self.element = None;
     }
 }
 
@@ -69,27 +76,18 @@ impl State {
         State {
             unit: settings.control.unit.unwrap_or_default(),
             position: Position::new(Start::new(settings, true)),
-            last: None,
-            cornered: false,
+            last: Last::default(),
             feed: ModalFeed::new(settings.control.feed, None),
             compensation: Compensation::default(),
             tool: None,
-            spindle: SpindleState::default(),
+            spindle: ModalSpindle::default(),
             clearance: None,
             oversize: None,
             shift: Shift::default(),
             exact_stop: false,
             moved: false,
-            cut: false,
-            roughed: Vec::new(),
+            stock: Stock::default(),
             ctx: Rc::new(Ctx { plane: Plane::Zx, ..Ctx::default() }),
-        }
-    }
-
-    /// How the compiler compensates from now on.
-    pub fn compensate(&mut self, rules: crate::ir::Compensation) {
-        if self.ctx.compensation.as_deref() != Some(&rules) {
-            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
         }
     }
 
@@ -98,22 +96,22 @@ impl State {
         self.unit.mm()
     }
 
+    /// The tool in the cutting position as a recessing tool, and whether it cuts radially.
+    pub fn recess_tool(&self, settings: &Settings) -> Result<(RecessTool, bool), Fault> {
+        let missing = codes::P2004::no_tool_is_in_cutting_position;
+        self.tool.as_ref().ok_or_else(missing).and_then(|tool| tool.recess_tool(settings))
+    }
+
     /// Where the tool stands, as (Z, X).
     #[inline]
     pub fn at(&self) -> Option<Point2> {
         self.position.in_plane(Plane::Zx)
     }
 
-    /// The tool stands at `p`.
-    #[inline]
-    pub fn stands(&mut self, p: Point2) {
-        self.position.move_in_plane(Plane::Zx, p);
-    }
-
     /// The tool stands somewhere, for a good reason.
     pub fn forget(&mut self) {
         self.position.forget(AxisSet::MAIN);
-        self.last = None;
+        self.last.forget();
     }
 
     /// The tool stands somewhere because an error was reported.

@@ -5,43 +5,35 @@ use crate::machine::Unit;
 use crate::parser::symbols::Symbols;
 use crate::parser::turning::ast::{Addr, Block, Op, Section, Stmt, Value};
 use crate::sema::Job;
-use crate::sema::run::survey::{Item, Notes, Surveyed, Visitor, What};
-use crate::sema::run::unexecuted::{Blocks, Numbers};
-use crate::text::{FileId, Loc, Span};
+use crate::sema::run::survey::{Item, Notes, Visitor, What};
+use crate::sema::run::unexecuted::Passed;
+use crate::sema::run::{Shown, Shows, survey_file};
+use crate::text::{FileId, Span};
 
 use super::Turning;
 
 /// Leads `visitor` through a file.
 pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
-    let start = Loc { file, line: 1, span: Span::default() };
-    let Some(mut blocks) = Blocks::<Turning>::open(job, file, start) else { return };
-    let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
-    let mut shape = Shape::default();
-    let mut numbers = Numbers::default();
-    loop {
-        let Some(passed) = blocks.next_for(job, &mut symbols, visitor, &mut numbers) else { return };
-        let is_bad = passed.block.stmt == Stmt::Bad || !passed.problems.is_empty();
-        let (block, text, site) = (passed.block, passed.text, passed.site);
-        notes.clear();
+    survey_file::<Turning>(job, file, visitor);
+}
+
+impl Shows for Turning {
+    type Before = Shape;
+
+    fn show(passed: &Passed<'_, Turning>, _: &Symbols, shape: &mut Shape, items: bool, notes: &mut Notes) -> Shown {
+        let (block, text) = (passed.block, passed.text);
         comments(text, block.comment, &mut notes.comments);
-        if visitor.items() {
-            note(block, &mut notes);
-            shape.note(block, text, &mut notes);
+        if items {
+            note(block, notes);
+            shape.note(block, text, notes);
         }
-        let surveyed = Surveyed {
-            text,
-            site,
+        Shown {
             number: block.number,
             skip: block.skip.is_some(),
             words: block.span,
             is_empty: block.stmt == Stmt::Empty,
-            is_bad,
-            comments: &notes.comments,
-            items: &notes.items,
-            passed: numbers.passed,
-        };
-        numbers.see(surveyed.number);
-        visitor.block(&surveyed, job);
+            is_bad: block.stmt == Stmt::Bad,
+        }
     }
 }
 
@@ -97,7 +89,7 @@ fn note(block: &Block, notes: &mut Notes) {
 
 /// What the sections in front say of lengths.
 #[derive(Debug, Default)]
-struct Shape {
+pub(super) struct Shape {
     in_blank: bool,
     unit: Unit,
 }

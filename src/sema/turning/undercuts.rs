@@ -2,8 +2,8 @@
 //!
 //! Source: T 6.3 (docs/sources.md). All lengths in mm; depths are radius values.
 
-use crate::diag::codes;
-use crate::geo::undercut::{Allowance, Corner, Fault, Placed, Reference, Shape, place};
+use crate::diag::{Fault, codes};
+use crate::geo::undercut::{self, Allowance, Corner, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Point2, SAME_DIRECTION, Vec2, direction, distance};
 use crate::ir::undercut::{internal_depth, thread_length};
 use crate::machine::Undercuts;
@@ -13,43 +13,14 @@ use crate::standard::{SAME, din76};
 use super::chain::Solved;
 use super::element_data::Transition;
 
-/// Why there is no undercut.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Why {
-    SizeMissing,
-    BoreDepth,
-    NoElement,
-    NoLines,
-    NotAlongAxes,
-    Room,
-    Slope,
-    Radius,
-    Narrow,
-    Sizes,
-}
-
-impl Why {
-    pub fn fault(self) -> crate::diag::Fault {
-        match self {
-            Why::SizeMissing => codes::T3004::size_of_thread_undercut_is_missing(),
-            Why::BoreDepth => codes::T3004::depth_of_thread_undercut_in_bore(),
-            Why::NoElement => codes::T3004::no_element_follows_undercut(),
-            Why::NoLines => codes::T3004::undercut_stands_between_two_lines(),
-            Why::NotAlongAxes => codes::T3004::undercut_stands_between_line_along_z_and_one_along_x(),
-            Why::Room => codes::T3004::undercut_has_no_room(),
-            Why::Slope => codes::T3004::slope_of_undercut(),
-            Why::Radius => codes::T3004::radius_does_not_fit_into_undercut(),
-            Why::Narrow => codes::T3004::undercut_is_too_narrow(),
-            Why::Sizes => codes::T3004::sizes_of_undercut_do_not_fit(),
-        }
-    }
-}
+/// Why a size is missing.
+type Missing = fn() -> Fault;
 
 /// An undercut with all its sizes, or why they are missing. Which of the two is cut follows from the corner.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Undercut {
-    pub outside: Result<Shape, Why>,
-    pub inside: Result<Shape, Why>,
+    pub outside: Result<Shape, Missing>,
+    pub inside: Result<Shape, Missing>,
     /// Outer edge of a groove (form U), which is cut as any other corner of the contour is.
     pub edge: Option<Transition>,
 }
@@ -99,38 +70,43 @@ impl Thread {
     }
 
     /// The manuals print the greatest length, and the depth inside from the nominal diameter, which the contour does not hold.
-    fn shape(&self, tables: &Undercuts, inside: bool) -> Result<Shape, Why> {
+    fn shape(&self, tables: &Undercuts, inside: bool) -> Result<Shape, Missing> {
         let row = self.pitch.and_then(|pitch| tables.thread(pitch));
-        let radius = self.radius.or(row.map(|row| row.radius)).ok_or(Why::SizeMissing);
+        let missing: Missing = codes::T3004::size_of_thread_undercut_is_missing;
+        let radius = self.radius.or(row.map(|row| row.radius)).ok_or(missing);
         let table = row.and_then(|row| match (inside, tables.internal_depth) {
             (false, _) => Some(row.external / 2.0),
             (true, rule) => rule.map(|rule| internal_depth(rule, row)),
         });
-        let depth = self.depth.or(table).ok_or(if row.is_some() { Why::BoreDepth } else { Why::SizeMissing });
+        let depth = self.depth.or(table).ok_or(if row.is_some() {
+            codes::T3004::depth_of_thread_undercut_in_bore
+        } else {
+            missing
+        });
         let depth = depth?;
         let of_row = |row: &din76::Row| {
             let rule = tables.thread_length.unwrap_or(ThreadLength::Longest);
             thread_length(rule, if inside { row.c } else { row.a }, depth, Deg(self.slope))
         };
-        let width = self.width.or(row.map(of_row)).ok_or(Why::SizeMissing)?;
+        let width = self.width.or(row.map(of_row)).ok_or(missing)?;
         Ok(square(depth, width, radius?, self.slope))
     }
 }
 
 /// Puts the undercut between the reference element, parallel to Z, and the shoulder, parallel to X, in either order.
-pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>) -> Result<Made, Why> {
-    let Some(after) = after else { return Err(Why::NoElement) };
+pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>) -> Result<Made, Fault> {
+    let Some(after) = after else { return Err(codes::T3004::no_element_follows_undercut()) };
     let straight = |line: &Solved| direction(line.to - line.from, 0.0).filter(|_| line.arc.is_none());
     let (Some(u), Some(w)) = (straight(before), straight(after)) else {
-        return Err(Why::NoLines);
+        return Err(codes::T3004::undercut_stands_between_two_lines());
     };
     // The manuals name no angle by which the lines may lean.
     let up = match (along_z(u) && along_x(w), along_x(u) && along_z(w)) {
         (true, _) => w,
         (_, true) => -u,
-        _ => return Err(Why::NotAlongAxes),
+        _ => return Err(codes::T3004::undercut_stands_between_line_along_z_and_one_along_x()),
     };
-    let shape = if up.y > 0.0 { undercut.outside } else { undercut.inside }?;
+    let shape = if up.y > 0.0 { undercut.outside } else { undercut.inside }.map_err(|missing| missing())?;
     slope_fits(&shape)?;
     let corner = Corner { from: before.from, at: before.to, to: after.to };
     let placed =
@@ -138,13 +114,13 @@ pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>
     // Neither longer than the lines, nor further below the corner than the shoulder is high.
     let room = |p: Point2, end: Point2| distance(p, corner.at) <= distance(corner.at, end) + 1e-6;
     if !room(placed.leave, corner.from) || !room(placed.join, corner.to) {
-        return Err(Why::Room);
+        return Err(codes::T3004::undercut_has_no_room());
     }
     made(placed, undercut.edge, corner.at)
 }
 
 /// The slope, and the rounding between it and the floor, which is never made smaller.
-fn slope_fits(shape: &Shape) -> Result<(), Why> {
+fn slope_fits(shape: &Shape) -> Result<(), Fault> {
     let (Shape::Square { length, depth, entry, entry_radius, .. }
     | Shape::Recessed { length, depth, entry, entry_radius, .. }) = *shape
     else {
@@ -152,26 +128,31 @@ fn slope_fits(shape: &Shape) -> Result<(), Why> {
     };
     let (sin, cos) = entry.sin_cos();
     if !(sin > 0.0 && cos > 0.0) {
-        return Err(Why::Slope);
+        return Err(codes::T3004::slope_of_undercut());
     }
     // tan(W/2) = sin W / (1 + cos W)
     let rises = entry_radius * sin / (1.0 + cos) * sin;
-    if rises > depth + 1e-9 || length <= depth * cos / sin { Err(Why::Radius) } else { Ok(()) }
+    if rises > depth + 1e-9 || length <= depth * cos / sin {
+        Err(codes::T3004::radius_does_not_fit_into_undercut())
+    } else {
+        Ok(())
+    }
 }
 
-fn refusal(shape: &Shape, fault: Fault) -> Why {
+fn refusal(shape: &Shape, fault: undercut::Fault) -> Fault {
+    use undercut::Fault::{Angle, Degenerate, Dimension, NotSquare, OtherTooShort, ReferenceTooShort, TooNarrow};
     match (fault, shape) {
-        (Fault::Degenerate | Fault::NotSquare { .. }, _) => Why::NoLines,
-        (Fault::ReferenceTooShort { .. } | Fault::OtherTooShort { .. }, _) => Why::Room,
-        (Fault::Angle, Shape::Square { .. }) => Why::Slope,
-        (Fault::TooNarrow, Shape::Square { .. }) => Why::Narrow,
-        (Fault::TooNarrow, Shape::Groove { .. }) => Why::Radius,
-        (Fault::Angle | Fault::TooNarrow | Fault::Dimension, _) => Why::Sizes,
+        (Degenerate | NotSquare { .. }, _) => codes::T3004::undercut_stands_between_two_lines(),
+        (ReferenceTooShort { .. } | OtherTooShort { .. }, _) => codes::T3004::undercut_has_no_room(),
+        (Angle, Shape::Square { .. }) => codes::T3004::slope_of_undercut(),
+        (TooNarrow, Shape::Square { .. }) => codes::T3004::undercut_is_too_narrow(),
+        (TooNarrow, Shape::Groove { .. }) => codes::T3004::radius_does_not_fit_into_undercut(),
+        (Angle | TooNarrow | Dimension, _) => codes::T3004::sizes_of_undercut_do_not_fit(),
     }
 }
 
 /// A groove ends on the shoulder at the level of the cylinder: what of the face lies below it belongs to the groove.
-fn made(placed: Placed, edge: Option<Transition>, corner: Point2) -> Result<Made, Why> {
+fn made(placed: Placed, edge: Option<Transition>, corner: Point2) -> Result<Made, Fault> {
     let Placed { leave, join, elements, orientation, .. } = placed;
     let sharp = |element: Element| (element, Transition::Sharp);
     let mut made = Made {
@@ -185,7 +166,7 @@ fn made(placed: Placed, edge: Option<Transition>, corner: Point2) -> Result<Made
     if matches!(edge, Transition::Rounding(_) | Transition::Chamfer(_))
         && !matches!(wall, Some((Element::Line { .. }, _)))
     {
-        return Err(Why::Radius);
+        return Err(codes::T3004::radius_does_not_fit_into_undercut());
     }
     if orientation.first_leads {
         made.edge = edge;
@@ -284,14 +265,14 @@ mod tests {
     fn refusals() {
         let (before, after) = shoulder(20.0);
         let fails = |shape: Shape| build(&shape.into(), &before, Some(&after)).expect_err("refused");
-        assert_eq!(fails(square(0.3, 2.5, 0.6, 90.0)), Why::Slope);
-        assert_eq!(fails(square(0.3, 2.5, 0.6, 0.0)), Why::Slope);
-        assert_eq!(fails(square(0.3, 2.5, 10.0, 15.0)), Why::Radius);
-        assert_eq!(fails(square(0.3, 1.3, 0.6, 15.0)), Why::Narrow);
-        assert_eq!(fails(square(-0.3, 2.5, 0.6, 15.0)), Why::Radius);
+        assert_eq!(fails(square(0.3, 2.5, 0.6, 90.0)), codes::T3004::slope_of_undercut());
+        assert_eq!(fails(square(0.3, 2.5, 0.6, 0.0)), codes::T3004::slope_of_undercut());
+        assert_eq!(fails(square(0.3, 2.5, 10.0, 15.0)), codes::T3004::radius_does_not_fit_into_undercut());
+        assert_eq!(fails(square(0.3, 1.3, 0.6, 15.0)), codes::T3004::undercut_is_too_narrow());
+        assert_eq!(fails(square(-0.3, 2.5, 0.6, 15.0)), codes::T3004::radius_does_not_fit_into_undercut());
         let groove = Shape::Groove { width: 2.0, depth: 0.5, edge: Edge::Sharp, radius: 1.0 };
-        assert_eq!(fails(groove), Why::Radius);
-        assert_eq!(fails(square(0.3, 35.0, 0.6, 15.0)), Why::Room);
+        assert_eq!(fails(groove), codes::T3004::radius_does_not_fit_into_undercut());
+        assert_eq!(fails(square(0.3, 35.0, 0.6, 15.0)), codes::T3004::undercut_has_no_room());
     }
 
     /// A groove ends at the corner, the face goes on from there.

@@ -5,6 +5,12 @@ use std::collections::BTreeMap;
 use rustc_hash::FxHashMap;
 
 use crate::lexer::turning::{VarKind, VarRef};
+use crate::sema::value::{Machine, Rules};
+
+/// No manual says which way a negative number is cut off, or a half is rounded. Results beyond 10¹² are no value of a
+/// part program.
+const RULES: Rules =
+    Rules { result: 1e12, exponents: 100.0, cuts_negative: false, rounds_halves: false, ..Rules::USUAL };
 
 /// A value, and the level of calls on which it was assigned.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,9 +22,12 @@ pub(super) struct Slot {
 }
 
 /// The variables that every program sees.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Vars {
     slots: FxHashMap<VarRef, Slot>,
+    /// Program levels so far, the main program included.
+    levels: u32,
+    pub machine: Machine,
 }
 
 /// Variables and arguments of one program level.
@@ -27,7 +36,7 @@ pub(super) type Locals = FxHashMap<VarRef, Option<f64>>;
 impl Vars {
     /// Variables with the start values of the configuration.
     pub fn new(start: &BTreeMap<String, f64>) -> Vars {
-        let mut vars = Vars::default();
+        let mut vars = Vars { slots: FxHashMap::default(), levels: 1, machine: Machine::new(RULES) };
         for (name, &value) in start {
             if let Some(var) = named(name) {
                 vars.slots.insert(var, Slot { value: Some(value), level: 0 });
@@ -38,6 +47,12 @@ impl Vars {
 
     pub fn get(&self, var: VarRef) -> Option<Slot> {
         self.slots.get(&var).copied()
+    }
+
+    /// A number for a new level, which no level had before.
+    pub fn next_level(&mut self) -> u32 {
+        self.levels = self.levels.saturating_add(1);
+        self.levels
     }
 
     pub fn set(&mut self, var: VarRef, value: Option<f64>, level: u32) {

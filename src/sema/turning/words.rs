@@ -2,10 +2,17 @@
 
 use crate::diag::{Label, codes};
 use crate::lexer::turning::Addr;
+use crate::machine::Axis;
 use crate::parser::turning::ast::{Block, Value, Word};
+use crate::sema::cycle::given::Range;
+use crate::sema::run::Where;
+use crate::sema::run::refusal::{Made, refused};
 use crate::text::Span;
 
-use super::{Outcome, Run};
+use super::chain::Coord;
+use super::eval::Computing;
+use super::program_parts::Family;
+use super::{Core, Outcome, Reported};
 
 /// Most G or M functions in a block.
 const MOST: usize = 12;
@@ -61,15 +68,6 @@ fn index(letter: u8) -> usize {
 }
 
 impl Words {
-    #[inline]
-    pub fn clear(&mut self) {
-        self.present = 0;
-        self.more.clear();
-        self.texts.clear();
-        self.g.clear();
-        self.m.clear();
-    }
-
     /// The value behind a letter.
     #[inline]
     pub fn get(&self, letter: u8) -> Option<Num> {
@@ -130,91 +128,134 @@ impl Words {
     pub fn m(&self) -> &[Fun] {
         &self.m
     }
+}
 
-    /// Span of a word, or `other` where it is not there.
-    pub fn span(&self, letter: u8, other: Span) -> Span {
-        self.get(letter).map_or(other, |num| num.span)
+/// How the numbers of words count: millimetres in a unit of the program, and the family of controls that reads them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Measure {
+    pub mm: f64,
+    pub family: Family,
+}
+
+impl Num {
+    /// A length in mm that is above zero.
+    pub fn above_zero(self, mm: f64, what: &str) -> Made<f64> {
+        let length = self.value * mm;
+        if length > 0.0 {
+            return Ok(length);
+        }
+        refused(self.span, codes::T1007::has_to_be_above_zero(&what))
+    }
+
+    /// The number of a block.
+    pub fn block_number(self) -> Option<u32> {
+        (self.value.fract() == 0.0 && (0.0..=99_999.0).contains(&self.value)).then_some(self.value as u32)
     }
 }
 
-impl Run<'_> {
-    /// Reads the words of a block. The box comes back through [`Run::put_back`].
+/// What words say by themselves.
+impl Words {
+    /// A coordinate in mm, X as a radius.
     #[inline]
-    pub(super) fn gather(&mut self, block: &Block) -> Outcome<Box<Words>> {
-        let mut words = self.words.take().unwrap_or_default();
-        words.clear();
-        for word in &block.words {
-            if let Err(reported) = self.gather_word(word, block, &mut words) {
-                self.words = Some(words);
-                return Err(reported);
-            }
+    pub fn coord(&self, axis: Axis, mm: f64) -> Coord {
+        let Some(num) = self.get(axis.letter() as u8) else { return Coord::Stay };
+        let mm = mm * if axis == Axis::X { 0.5 } else { 1.0 };
+        match (num.unknown, num.incremental) {
+            (true, _) => Coord::Open,
+            (_, true) => Coord::By(num.value * mm),
+            _ => Coord::At(num.value * mm),
         }
-        Ok(words)
     }
 
-    pub(super) fn put_back(&mut self, words: Box<Words>) {
-        self.words = Some(words);
+    /// The word that a function cannot do without.
+    pub fn needed(&self, letter: u8, what: &str) -> Made<Num> {
+        match self.get(letter) {
+            Some(num) => Ok(num),
+            None => refused(Where::Block, codes::P1004::is_missing(&(letter as char), &what)),
+        }
+    }
+
+    /// The same for a length above zero, in mm.
+    pub fn needed_length(&self, letter: u8, mm: f64, what: &str) -> Made<f64> {
+        self.needed(letter, what)?.above_zero(mm, what)
+    }
+
+    /// A whole number in a range, or the default where the word is missing.
+    pub fn choice(&self, letter: u8, default: u32, most: u32) -> Made<u32> {
+        let Some(num) = self.get(letter) else { return Ok(default) };
+        if num.value.fract() == 0.0 && num.value >= 0.0 && num.value <= f64::from(most) {
+            return Ok(num.value as u32);
+        }
+        refused(num.span, codes::T1007::is_none_of(&(letter as char), &num.value, &Range(0, most as i32)))
+    }
+
+    /// Place of a word, or the block where it is not there.
+    pub fn place(&self, letter: u8) -> Where {
+        self.get(letter).map_or(Where::Block, |num| num.span.into())
+    }
+
+    // Reading.
+
+    /// Reads the words of a block.
+    #[inline]
+    pub fn gather(&mut self, block: &Block, from: &mut Computing<'_, '_>) -> Outcome {
+        self.present = 0;
+        self.more.clear();
+        self.texts.clear();
+        self.g.clear();
+        self.m.clear();
+        block.words.iter().try_for_each(|word| self.gather_word(word, block, from))
     }
 
     #[inline]
-    fn gather_word(&mut self, word: &Word, block: &Block, words: &mut Words) -> Outcome {
+    fn gather_word(&mut self, word: &Word, block: &Block, from: &mut Computing<'_, '_>) -> Outcome {
         let (value, unknown) = match word.value {
             Value::Number { value, .. } => (value, false),
             Value::Unknown => (0.0, true),
-            Value::Formula(formula) => (self.formula(block, formula)?, false),
-            Value::Text(span) => return self.gather_text(word, span, words),
+            Value::Formula(formula) => (from.formula(block, formula)?, false),
+            Value::Text(span) => {
+                let first = self.texts.iter().find(|(known, _)| *known == word.address.addr).map(|_| span);
+                self.texts.push((word.address.addr, span));
+                return from.core.unless_twice(word, first);
+            }
         };
         if value.is_nan() || value.abs() > LARGEST {
-            return self.core.refuse(word.span, codes::T1007::number_is_too_large_for_any_control());
+            return from.core.refuse(word.span, codes::T1007::number_is_too_large_for_any_control());
         }
+        let num = Num { value, incremental: false, unknown, span: word.span };
         let Some(letter) = word.address.addr.letter() else {
-            return self.gather_long(word, value, unknown, words);
+            let first = self.more.iter().find(|(known, _)| *known == word.address.addr).map(|(_, num)| num.span);
+            self.more.push((word.address.addr, num));
+            return from.core.unless_twice(word, first);
         };
         if letter == b'G' || letter == b'M' {
             if unknown {
-                return self.core.refuse(word.span, codes::P1001::function_has_number());
+                return from.core.refuse(word.span, codes::P1001::function_has_number());
             }
-            let list = if letter == b'G' { &mut words.g } else { &mut words.m };
-            return match whole(value).filter(|_| list.len() < MOST) {
-                Some(number) => {
-                    list.push(Fun { number, span: word.span });
-                    Ok(())
-                }
-                None => self.core.refuse(word.span, codes::P1001::there_is_no_function(&(letter as char), &value)),
+            let list = if letter == b'G' { &mut self.g } else { &mut self.m };
+            let Some(number) = whole(value).filter(|_| list.len() < MOST) else {
+                return from.core.refuse(word.span, codes::P1001::there_is_no_function(&(letter as char), &value));
             };
+            list.push(Fun { number, span: word.span });
+            return Ok(());
         }
         let at = index(letter);
-        if words.present & 1 << at != 0 {
-            return self.twice(word, words.singles[at].span);
+        if self.present & 1 << at != 0 {
+            return from.core.unless_twice(word, Some(self.singles[at].span));
         }
-        words.present |= 1 << at;
-        words.singles[at] = Num { value, incremental: word.address.incremental, unknown, span: word.span };
+        self.present |= 1 << at;
+        self.singles[at] = Num { incremental: word.address.incremental, ..num };
         Ok(())
     }
+}
 
-    fn gather_long(&mut self, word: &Word, value: f64, unknown: bool, words: &mut Words) -> Outcome {
-        let addr = word.address.addr;
-        if let Some((_, first)) = words.more.iter().find(|(known, _)| *known == addr) {
-            return self.twice(word, first.span);
-        }
-        words.more.push((addr, Num { value, incremental: false, unknown, span: word.span }));
-        Ok(())
-    }
-
-    fn gather_text(&mut self, word: &Word, span: Span, words: &mut Words) -> Outcome {
-        let addr = word.address.addr;
-        if words.texts.iter().any(|(known, _)| *known == addr) {
-            return self.twice(word, span);
-        }
-        words.texts.push((addr, span));
-        Ok(())
-    }
-
-    #[cold]
-    fn twice(&self, word: &Word, first: Span) -> Outcome {
-        let found = codes::P1002::word_stands_twice_in_block(&word.address.addr).at(self.core.loc(word.span));
-        self.core.report(found.also(self.core.loc(first), Label::FirstOne));
-        Err(super::Reported)
+impl Core<'_> {
+    /// A word that the block has already, at `first`.
+    fn unless_twice(&self, word: &Word, first: Option<Span>) -> Outcome {
+        let Some(first) = first else { return Ok(()) };
+        let found = codes::P1002::word_stands_twice_in_block(&word.address.addr).at(self.loc(word.span));
+        self.report(found.also(self.loc(first), Label::FirstOne));
+        Err(Reported)
     }
 }
 

@@ -77,7 +77,7 @@ impl CycleCall<'_> {
             shift: Vec2::zeros(),
             away: stance.away,
             clearance,
-            blank: self.st.modal.uncut_bar(self.st.blank),
+            blank: self.st.modal.stock.uncut_bar(self.st.blank),
             feed,
             descending: Descending::Cut { feed },
             arcs: ArcFeed::Same,

@@ -2,17 +2,17 @@
 //!
 //! Source: T 8.10; the letters H, I, K, D, E and O: MANUALplus 620 smart.Turn and DIN, page 119 (docs/sources.md).
 
-use crate::diag::{Label, codes};
+use crate::diag::codes;
 use crate::geo::{Element, Point2, Vec2, cross, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
-use crate::sema::cycle::call::{Elsewhere, Made};
+use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Rule, length, number};
 
-use super::super::geometry::Blank;
+use super::super::blank::Blank;
 use super::super::technology::Oversize;
 use super::{
     Contour, CycleCall, DESCENDING, ENDS, ID, LEFT_OUT, LIMIT_X, LIMIT_Z, NE, NS, Need, Planned, Row, Unbuilt, one,
@@ -97,7 +97,7 @@ impl CycleCall<'_> {
             Some(0.0) => Descending::Left,
             Some(own) => Descending::Cut { feed: feed.with_value(own) },
         };
-        let speed = self.st.modal.spindle.turns();
+        let speed = self.st.modal.spindle.speed_in_turns();
         let arcs = match self.given.whole(word::O) {
             0 => ArcFeed::Turns { turns: TURNS_ON_AN_ARC, speed },
             _ => ArcFeed::Same,
@@ -117,7 +117,7 @@ impl CycleCall<'_> {
             shift,
             away: stance.away,
             clearance: self.clearance(),
-            blank: self.st.modal.uncut_bar(self.st.blank),
+            blank: self.st.modal.stock.uncut_bar(self.st.blank),
             feed,
             descending,
             arcs,
@@ -164,10 +164,7 @@ impl CycleCall<'_> {
             {
                 Ok((0.0, Vec2::new(z * stance.away.x, x / 2.0 * stance.away.y)))
             }
-            Some((_, place)) => {
-                let fault = codes::T9007::oversize_does_not_fit_contour();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
-            }
+            Some((_, place)) => self.no_oversize(place, codes::T9007::oversize_does_not_fit_contour()),
         }
     }
 

@@ -1,15 +1,16 @@
 //! What a plan sees of the lathe, and what every family asks of a call.
 
-use crate::diag::{Fault, codes};
+use crate::diag::{Fault, Label, codes};
 use crate::geo::Point2;
 use crate::ir::Feed;
 use crate::machine::Tool;
-use crate::sema::cycle::call::{Call, Kind, Made};
+use crate::sema::cycle::call::{Call, Elsewhere, Kind, Made};
 use crate::sema::cycle::row::Name;
 use crate::sema::run::Where;
+use crate::text::Loc;
 
+use super::super::blank::Blank;
 use super::super::chain::Coord;
-use super::super::geometry::Blank;
 use super::super::outline::Section;
 use super::super::program_parts::Family;
 use super::super::readings::Question;
@@ -84,13 +85,18 @@ impl CycleCall<'_> {
 
     /// What partc.toml says of the tool in the cutting position.
     pub(super) fn known_tool(&self) -> Option<&Tool> {
-        self.st.modal.known_tool(self.settings)
+        self.st.modal.tool.as_ref()?.known(self.settings)
+    }
+
+    /// The oversize of the block at `place` does not fit.
+    pub(super) fn no_oversize<T>(&self, place: Loc, fault: Fault) -> Made<T> {
+        self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
     }
 
     /// The call depends on `question`: the first one of the program says so.
     pub(super) fn depends_on(&self, question: Question, place: Where) {
-        if !question.is_settled(self.settings) {
-            self.note(place, question.fault(), Kind::Once);
+        if let Some(fault) = question.open(self.settings) {
+            self.note(place, fault, Kind::Once);
         }
     }
 

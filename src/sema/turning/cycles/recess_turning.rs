@@ -11,7 +11,7 @@ use crate::machine::RecessDepth;
 use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Name, Rule, feed, length, number};
 
-use super::super::geometry::Blank;
+use super::super::blank::Blank;
 use super::super::readings::Question;
 use super::super::tool_side::tool_is_left;
 use super::{
@@ -196,8 +196,8 @@ impl CycleCall<'_> {
         };
         // Elsewhere the tool would stay lower than the bar afterwards.
         let back = self.given.whole(word::H) == 0;
-        let left =
-            self.st.modal.left_by_roughing(contour, into).filter(|_| back).map_or(f64::INFINITY, |left| left * out);
+        let left = self.st.modal.stock.left_by_roughing(contour, into, self.st.modal.shift.total());
+        let left = left.filter(|_| back).map_or(f64::INFINITY, |left| left * out);
         let stock = stock.map(|height| (height * out).min(left));
         let height = corner.map(|height| height * out).or(stock).unwrap_or(tool * out - clearance);
         Ok(height.max(rim) * out)

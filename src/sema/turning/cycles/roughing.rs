@@ -13,7 +13,7 @@ use crate::machine::RecessDepth;
 use crate::sema::cycle::call::{Elsewhere, Made};
 use crate::sema::cycle::row::{Name, Parameter, Rule, length, number};
 
-use super::super::geometry::Blank as Stock;
+use super::super::blank::Blank as Stock;
 use super::super::readings::Question;
 use super::super::technology::Oversize;
 use super::super::tool_side::tool_is_left;
@@ -185,10 +185,7 @@ impl CycleCall<'_> {
             Some((Oversize::Paraxial { x, z }, _)) if into != Towards::PlusX && x >= 0.0 && z >= 0.0 => {
                 Ok(Vec2::new(z, x / 2.0))
             }
-            Some((_, place)) => {
-                let fault = codes::T9007::oversize_does_not_fit_cycle();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
-            }
+            Some((_, place)) => self.no_oversize(place, codes::T9007::oversize_does_not_fit_cycle()),
         }
     }
 
@@ -302,10 +299,7 @@ impl CycleCall<'_> {
         match self.st.modal.oversize {
             None => Ok(Vec2::zeros()),
             Some((Oversize::Paraxial { x, z }, _)) if x >= 0.0 && z >= 0.0 => Ok(Vec2::new(z, x / 2.0)),
-            Some((_, place)) => {
-                let fault = codes::T9007::equidistant_or_negative_oversize();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
-            }
+            Some((_, place)) => self.no_oversize(place, codes::T9007::equidistant_or_negative_oversize()),
         }
     }
 

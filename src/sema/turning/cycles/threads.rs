@@ -214,7 +214,7 @@ impl CycleCall<'_> {
             return Ok(way);
         }
         let spindle = &self.st.modal.spindle;
-        let turns = spindle.turns().map(|turns| spindle.limited(turns));
+        let turns = spindle.speed_in_turns().map(|turns| spindle.limited(turns));
         match turns.filter(|_| self.st.family == Family::Basic) {
             Some(turns) => Ok(lead * turns / 1000.0),
             None => self.refuse(codes::P1004::is_missing_so_control_computes(&name, &what)),

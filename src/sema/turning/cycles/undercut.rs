@@ -56,7 +56,7 @@ impl CycleCall<'_> {
         let before = Solved { from: Point2::new(z + REACH * sense, x), to: corner, arc: None };
         let after = Solved { from: corner, to: Point2::new(z, x + REACH * up), arc: None };
         let made = undercuts::build(&undercut, &before, Some(&after));
-        let made = self.no_fault(made.map_err(undercuts::Why::fault))?;
+        let made = self.no_fault(made)?;
         let clear = on_cylinder || (made.joins.y - corner.y).abs() < height.abs();
         if (at.x - made.leaves.x) * sense < 0.0 || !clear {
             return self.refuse(codes::T2025::tool_does_not_stand_in_front());
