@@ -10,10 +10,9 @@ use crate::text::Span;
 
 use super::corners::corner_of;
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 /// Addresses that shape an arc.
 pub(super) const ARC_ADDRESSES: [Address; 9] = [

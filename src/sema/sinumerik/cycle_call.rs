@@ -20,9 +20,8 @@ use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work}
 use super::g_groups::{ActiveCodes, GCode, Group};
 use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
-use super::state::State;
 use super::transformation::no_turning_cycle_here;
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 use crate::ir::Side;
 
 impl Channel<'_> {

@@ -4,9 +4,8 @@ use crate::diag::{Answer, codes};
 use crate::machine::Axis;
 use crate::text::Span;
 
-use super::state::State;
 use super::vocabulary::Indexed;
-use super::{Core, Outcome};
+use super::{Core, Outcome, State};
 
 /// How values of the diameter axis count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -15,11 +15,10 @@ use super::frames::FrameValue;
 use super::g_groups::ActiveCodes;
 use super::offsets::Outer;
 use super::rotary::reduced;
-use super::state::State;
 use super::system::system_key;
 use super::tool_questions::told_of_tool;
 use super::value::{Val, whole};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 impl State {
     /// What the words of the program have set so far.

@@ -131,6 +131,7 @@ use levels::Frame;
 use line::{Line, NextText};
 use macros::Sinumerik;
 use programs::{Listed, Units};
+use state::State;
 use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;

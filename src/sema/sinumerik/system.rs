@@ -8,12 +8,11 @@ use crate::text::Span;
 
 use super::frames::FrameValue;
 use super::offsets::{Outer, offset_word};
-use super::state::State;
 use super::system_meanings::{is_measured, meaning_of, said_meaning};
 use super::system_variables::SystemVariables;
 use super::tool_questions::tool_is_asked;
 use super::value::Val;
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 impl State {
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.

@@ -258,7 +258,7 @@ impl Vars {
         };
         // A variable of all programs is nothing like one of this program.
         let files: Vec<String> = DEFINITION_FILES.iter().map(|file| format!("{file}.DEF")).collect();
-        codes::S2001::name_is_not_defined(&word).help(&help.and(Answer::folder_of(&files)))
+        codes::S2001::name_is_not_defined(&word).help(help.and(Answer::folder_of(&files)))
     }
 
     /// What is wrong with a target that is no variable.
