@@ -8,10 +8,12 @@
 
 use crate::diag::{Answer, Diagnostic, Label, codes};
 use crate::machine::{Axis, AxisSet};
-use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Stmt, Target, Value, Word};
+use crate::parser::sinumerik::ast::{Base, Block, Op, Stmt, Target, Value, Word};
+use crate::parser::symbols::Symbols;
 use crate::sema::common::hidden::By;
 use crate::text::{Loc, Span};
 
+use super::axis_names::AxisNames;
 use super::line::Line;
 use super::value::Val;
 use super::vocabulary::{Indexed, Meaning};
@@ -95,30 +97,14 @@ pub(super) struct CurveTable {
     refused: bool,
 }
 
-/// What follows another axis.
-enum Follower {
-    LeftOut,
-    /// A printed axis: its name.
-    Printed(String),
-    Spindle(String),
-}
-
 impl Run<'_> {
-    /// TRAILON and its kin.
+    /// TRAILON and its kin. After an error nobody knows where the axes are.
     pub(super) fn coupling(&mut self, beside: Beside, call: CallWord, line: Line<'_>) -> Outcome {
         let name = self.channel.core.symbols.name(call.name).to_owned();
-        let result = self.couple(beside, (&name, call), line);
         if beside == Beside::Table {
             let loc = self.channel.core.loc(call.span);
             self.channel.curve_table = Some(Box::new(CurveTable { loc, axes: AxisSet::EMPTY, refused: false }));
         }
-        if result.is_err() {
-            self.channel.lose_all();
-        }
-        result
-    }
-
-    fn couple(&mut self, beside: Beside, (name, call): (&str, CallWord), line: Line<'_>) -> Outcome {
         let formulas = line.arguments_of(call.args);
         self.channel.pending_must_be_done(call.span)?;
         let following = match beside {
@@ -138,54 +124,24 @@ impl Run<'_> {
             return self.channel.core.refuse(call.span, codes::S2021::lacks_axis_that_follows(&name));
         }
         for formula in following {
-            let fault = match self.follower(*formula, line)? {
-                Follower::LeftOut => continue,
-                Follower::Printed(axis) => {
-                    codes::P9010::lets_follow_and_is_in_output(&name, &axis).help(STANDS_IN_THE_OUTPUT)
-                }
-                Follower::Spindle(spindle) => codes::P9010::lets_follow(&name, &spindle),
+            if let Some(spindle) = spindle_of(line.ops(*formula), &self.channel.core.symbols) {
+                return self.channel.core.refuse(formula.span, codes::P9010::lets_follow(&name, &spindle));
+            }
+            let axis = match self.eval(*formula, line)? {
+                Val::Axis(named) => named,
+                other => return self.channel.core.refuse(formula.span, codes::S2031::axis_is_needed(&other.what())),
             };
-            return self.channel.core.refuse(formula.span, fault);
+            if self.channel.axis_names.printed(&self.channel.core, axis, formula.span)?.is_some() {
+                let fault = codes::P9010::lets_follow_and_is_in_output(&name, &axis.text()).help(STANDS_IN_THE_OUTPUT);
+                return self.channel.core.refuse(formula.span, fault);
+            }
         }
         let what = if couples { "moves no axis of the output" } else { "ends no coupling of the output" };
-        beside.leave_out(name, call.span, what, &self.channel.core)
+        beside.leave_out(&name, call.span, what, &self.channel.core)
     }
 
-    /// What a coupling moves.
-    fn follower(&mut self, formula: Formula, line: Line<'_>) -> Outcome<Follower> {
-        let name = match line.ops(formula) {
-            [Op::Name(name, _)] => Some(self.channel.core.symbols.name(*name).to_owned()),
-            [.., Op::Call(name, _, _)] if self.channel.core.symbols.name(*name) == "SPI" => {
-                Some("the spindle".to_owned())
-            }
-            _ => None,
-        };
-        let digits = |name: &str| {
-            name.strip_prefix('S')
-                .is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()))
-        };
-        if let Some(spindle) = name.filter(|name| name == "the spindle" || digits(name)) {
-            return Ok(Follower::Spindle(spindle));
-        }
-        match self.eval(formula, line)? {
-            Val::Axis(named) => Ok(match self.channel.axis_names.printed(&self.channel.core, named, formula.span)? {
-                None => Follower::LeftOut,
-                Some(_) => Follower::Printed(named.text().to_owned()),
-            }),
-            other => self.channel.core.refuse(formula.span, codes::S2031::axis_is_needed(&other.what())),
-        }
-    }
-
-    /// `OSP1[U]=10`, `OS[U]=1`, `OSCILL[U]=(X,Y)`
+    /// `OSP1[U]=10`, `OS[U]=1`, `OSCILL[U]=(X,Y)`. After an error nobody knows where the axes are.
     pub(super) fn oscillation_word(&mut self, name: &str, word: &Word, line: Line<'_>) -> Outcome {
-        let result = self.oscillates(name, word, line);
-        if result.is_err() {
-            self.channel.lose_all();
-        }
-        result
-    }
-
-    fn oscillates(&mut self, name: &str, word: &Word, line: Line<'_>) -> Outcome {
         let Target::Indexed(_, args) = word.target else {
             return self.channel.core.refuse(word.span, codes::P1001::lacks_axis_in_brackets(&name));
         };
@@ -232,7 +188,16 @@ impl Run<'_> {
         let mut axes = AxisSet::EMPTY;
         let mut other = (block.stmt != Stmt::Words).then_some(block.span);
         for word in &block.words {
-            match self.described(word) {
+            let symbols = &self.channel.core.symbols;
+            let is_variable =
+                !matches!(word.target, Target::Indexed(..)) && self.vars.target(word.target, symbols).is_some();
+            let name = match word.target {
+                Target::Numbered(_, _, name) | Target::Name(name) | Target::Indexed(Base::Name(name), _) => Some(name),
+                Target::Letter(_) | Target::System(_) | Target::Indexed(..) => None,
+            };
+            let meaning = name.map_or(Meaning::Unknown, |name| self.names.meaning(name, &self.channel));
+            let own = name.map_or("", |name| self.channel.core.symbols.name(name));
+            match described(word, own, meaning, &self.channel.axis_names).filter(|_| !is_variable) {
                 Some(axis) => axes = axes.union(axis),
                 None => other = other.or(Some(word.span)),
             }
@@ -252,35 +217,32 @@ impl Run<'_> {
         self.channel.core.report(found.help("take the table out of the copy that is compiled"));
         Err(Reported)
     }
+}
 
-    /// The printed axis that a word of a table names, if any; `None` for a word that is no point of it, nor says the way between them.
-    fn described(&mut self, word: &Word) -> Option<AxisSet> {
-        let symbols = &self.channel.core.symbols;
-        let of = |axis: Option<Axis>| Some(axis.into_iter().collect());
-        match word.target {
-            Target::Letter(b'M' | b'S' | b'T' | b'D' | b'H' | b'L' | b'P' | b'R') => None,
-            Target::Letter(_) | Target::Numbered(..) | Target::Name(_)
-                if self.vars.target(word.target, symbols).is_some() =>
-            {
-                None
-            }
-            Target::Letter(letter) => of(self.channel.axis_names.letter(letter).and_then(|named| named.axis)),
-            Target::Numbered(b'R', ..) => None,
-            Target::Numbered(_, _, name) | Target::Name(name) => match (self.meaning(name), word.value, word.target) {
-                (Meaning::Axis(named), ..) => of(named.axis),
-                (Meaning::Code(_), Value::None, Target::Name(_)) => Some(AxisSet::EMPTY),
-                (_, _, Target::Name(_)) => {
-                    let polynomial = matches!(self.channel.core.symbols.name(name), "PL" | "PW" | "SD");
-                    polynomial.then_some(AxisSet::EMPTY)
-                }
-                _ => None,
-            },
-            Target::Indexed(Base::Name(name), _) => {
-                let point = matches!(self.meaning(name), Meaning::Indexed(Indexed::Polynomial | Indexed::Ax));
-                point.then_some(AxisSet::EMPTY)
-            }
-            Target::Indexed(..) | Target::System(_) => None,
-        }
+/// The printed axis that a word of a table names, if any; `None` for a word that is no point of it, nor says the way between them.
+fn described(word: &Word, own: &str, meaning: Meaning, axes: &AxisNames) -> Option<AxisSet> {
+    let of = |axis: Option<Axis>| Some(axis.into_iter().collect());
+    let polynomial = || matches!(own, "PL" | "PW" | "SD").then_some(AxisSet::EMPTY);
+    match (word.target, meaning) {
+        (Target::Letter(b'M' | b'S' | b'T' | b'D' | b'H' | b'L' | b'P' | b'R') | Target::Numbered(b'R', ..), _) => None,
+        (Target::Letter(letter), _) => of(axes.letter(letter).and_then(|named| named.axis)),
+        (Target::Numbered(..) | Target::Name(_), Meaning::Axis(named)) => of(named.axis),
+        (Target::Name(_), Meaning::Code(_)) if matches!(word.value, Value::None) => Some(AxisSet::EMPTY),
+        (Target::Name(_), _) => polynomial(),
+        (Target::Indexed(..), Meaning::Indexed(Indexed::Polynomial | Indexed::Ax)) => Some(AxisSet::EMPTY),
+        (Target::Numbered(..) | Target::Indexed(..) | Target::System(_), _) => None,
+    }
+}
+
+/// The spindle that a formula names.
+fn spindle_of(ops: &[Op], symbols: &Symbols) -> Option<String> {
+    let digits = |name: &str| {
+        name.strip_prefix('S').is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()))
+    };
+    match ops {
+        [Op::Name(name, _)] => Some(symbols.name(*name)).filter(|name| digits(name)).map(str::to_owned),
+        [.., Op::Call(name, _, _)] if symbols.name(*name) == "SPI" => Some("the spindle".to_owned()),
+        _ => None,
     }
 }
 

@@ -1,16 +1,19 @@
-//! The motion of a block of words.
+//! Blocks of words: modal codes, then technology, then the motion.
 //!
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
 use crate::diag::{Fault, codes};
 use crate::ir::contour::Path;
-use crate::machine::Axis;
-use crate::parser::sinumerik::ast::Block;
+use crate::machine::{Axis, AxisSet};
+use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
+use super::axis_names::NamedAxis;
 use super::corners::corner_of;
+use super::g_functions::Whole;
 use super::g_groups::{GCode, Group};
-use super::vocabulary::Address;
+use super::names::Names;
+use super::vocabulary::{Address, Meaning};
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported, State};
 
@@ -27,7 +30,102 @@ pub(super) const ARC_ADDRESSES: [Address; 9] = [
     Address::Turn,
 ];
 
+/// What is to be done behind the words of a block: M functions, and what runs modally.
+pub(super) struct Behind {
+    /// Axes moved along a path.
+    pub moved: bool,
+    /// A control may run what is modal behind it, though no axis is named.
+    pub triggers: bool,
+}
+
 impl Channel<'_> {
+    /// Carries out the words of a block that holds no call; `None` where nothing acts behind it.
+    pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<Behind>> {
+        let motion = self.st.codes.of(Group::Motion);
+        if self.st.taps.are_open() && self.st.taps.end_before(w, motion) {
+            self.tapping_ends();
+        }
+        self.st.threads.go_on_beside(&self.core, w);
+        if let Some(capture) = &mut self.capture {
+            capture.words(&self.core, w)?;
+        }
+        let triggers = self.st.modal_call.cycle().is_some()
+            && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
+        if let Some(probe) = w.probe
+            && let Some((_, span)) =
+                [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
+        {
+            return probe.stands_beside(&self.core, span).map(|()| None);
+        }
+        match self.codes_of_block(w)? {
+            Whole::No => {}
+            Whole::Done => return Ok(None),
+            Whole::Nonmodal { moved } => return Ok(Some(Behind { moved, triggers: false })),
+        }
+        let motion = self.st.codes.of(Group::Motion);
+        if motion.is_tapping() && !w.axes.is_empty() {
+            let st = &mut self.st;
+            st.taps.take_only(&self.core, &st.spindles, motion, w)?;
+            if !st.describes {
+                st.taps.begin(st.spindles.fixed_turns(None));
+            }
+        }
+        self.technology(w)?;
+        self.early_functions(w)?;
+        let corner_before = self.st.corners.open.site();
+        let moved = self.probed_motion(w, block)?;
+        if moved && self.st.corners.open.site() == corner_before {
+            self.st.corners.open.close();
+        }
+        self.st.corners.pass_block(&self.core, moved)?;
+        if let Err((span, fault)) = w.leftover() {
+            return self.core.refuse(span, fault);
+        }
+        if self.st.modal_call.is_on() {
+            w.moves_what_is_left_out(&self.core)?;
+        }
+        Ok(Some(Behind { moved, triggers }))
+    }
+
+    /// After an error nobody knows where the axes of the block are.
+    pub(super) fn lose_block(&mut self, names: &mut Names, words: &Words, block: &Block) {
+        let of_tap = self.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
+        self.st.taps.block_is_refused(of_tap);
+        let mut axes = words.axes;
+        for word in &block.words {
+            let named = match word.target {
+                Target::Letter(letter) => self.axis_names.letter(letter),
+                Target::Numbered(_, _, name) | Target::Name(name) => match names.meaning(name, self) {
+                    Meaning::Axis(named) => Some(named),
+                    _ => None,
+                },
+                Target::Indexed(..) => {
+                    axes = axes.union(AxisSet::MAIN);
+                    None
+                }
+                Target::System(_) => None,
+            };
+            if let Some(NamedAxis { axis: Some(axis), .. }) = named {
+                axes.insert(axis);
+            }
+        }
+        let more = [Address::Ap, Address::Rp, Address::Ang, Address::Ar, Address::F];
+        if ARC_ADDRESSES.iter().chain(&more).any(|address| words.get(*address).is_some()) {
+            axes = axes.union(AxisSet::MAIN);
+        }
+        if words.get(Address::F).is_some() {
+            self.st.feed.lose();
+        }
+        if words.get(Address::Ang).is_some() {
+            self.st.pair.lose();
+        }
+        if !axes.is_empty() {
+            self.st.position.lose(axes);
+            self.st.pair.drop_first();
+            self.lost();
+        }
+    }
+
     // Motion.
 
     /// The motion of the block. True if axes moved along a path.
@@ -109,7 +207,7 @@ impl Channel<'_> {
     }
 
     /// The motion of the block, as far as the probe lets it be printed.
-    pub(super) fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
+    fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         match w.probe {
             Some(probe) if !probe.whole_way && !self.core.never_touches() => self.probe_block(w, probe).map(|()| false),
             Some(probe) => {

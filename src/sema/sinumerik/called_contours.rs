@@ -31,10 +31,35 @@ pub(super) struct Contours {
     taken: bool,
 }
 
+impl Contours {
+    /// CYCLE62: one more contour, or the first of the next cycle.
+    pub fn add(&mut self, call: &ContourCall) -> Result<(), Fault> {
+        if std::mem::take(&mut self.taken) {
+            self.list.clear();
+        }
+        if self.list.len() >= MOST_CONTOURS {
+            return Err(codes::P2090::there_are_too_many_contours());
+        }
+        self.list.push(call.clone());
+        Ok(())
+    }
+}
+
+/// A cycle whose tracks the control keeps to itself.
+pub(super) fn unpublished(given: &Given, contours: &[CalledContour]) -> Fault {
+    let what = given.signature.what;
+    let shown = contours.iter().map(|of| shape(&of.call.name, &of.made)).collect::<Vec<_>>().join("; ");
+    if contours.is_empty() {
+        codes::S9020::cycle_is_not_supported(&given.called, &what)
+    } else {
+        codes::S9020::cycle_is_read_without_fault(&given.called, &what, &shown)
+    }
+}
+
 impl Run<'_> {
     /// Runs the blocks of a contour. Afterwards everything is as before, and the position in it is its own: a contour does not depend
     /// on where the tool stands.
-    fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
+    pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
         let channel = &mut self.channel;
         let here = channel.core.here;
         let back = channel.core.program().source.cursor.place();
@@ -76,39 +101,6 @@ impl Run<'_> {
             }
             Reported
         })
-    }
-
-    /// `CYCLE62(name, type, label, label)`
-    pub(super) fn contour_call(&mut self, given: &Given) -> Outcome {
-        let core = &mut self.channel.core;
-        let call = self.units.contour_of_call(core, given)?;
-        if std::mem::take(&mut self.contours.taken) {
-            self.contours.list.clear();
-        }
-        if self.contours.list.len() >= MOST_CONTOURS {
-            return core.refuse(given.place, codes::P2090::there_are_too_many_contours().of(&given.called));
-        }
-        // What is wrong with it shows here, also where no cycle follows that is built.
-        self.contours.list.push(call.clone());
-        let made = self.capture(&call)?;
-        check_elements(&call, &made).map_err(|found| {
-            self.channel.core.report(*found);
-            Reported
-        })
-    }
-
-    /// A cycle whose tracks the control keeps to itself.
-    pub(super) fn unpublished_cycle(&mut self, given: &Given, source: Source) -> Outcome {
-        let what = given.signature.what;
-        let contours = self.contours_of(given, source)?;
-        let shown = contours.iter().map(|of| shape(&of.call.name, &of.made)).collect::<Vec<_>>().join("; ");
-        let fault = if contours.is_empty() {
-            codes::S9020::cycle_is_not_supported(&given.called, &what)
-        } else {
-            codes::S9020::cycle_is_read_without_fault(&given.called, &what, &shown)
-        };
-        self.channel.core.report(fault.at(self.channel.core.loc(given.place)).here(named(given)));
-        Err(Reported)
     }
 
     /// The contours of a cycle, each run and checked.
@@ -161,7 +153,7 @@ impl Run<'_> {
 
 impl Units {
     /// The contour that CYCLE62 names: a program, or the blocks between two labels.
-    fn contour_of_call(&mut self, core: &mut Core<'_>, given: &Given) -> Outcome<ContourCall> {
+    pub(super) fn contour_of_call(&mut self, core: &mut Core<'_>, given: &Given) -> Outcome<ContourCall> {
         let (name, first, last) = (given.text(KNAME), given.text(LAB1), given.text(LAB2));
         match (given.whole(TYPE), name, first, last) {
             (0, Some(name), None, None) => self.contour_program(core, given, KNAME, name),
@@ -279,7 +271,7 @@ enum Wrong {
 }
 
 /// Lines and arcs at feed that do not cross.
-fn check_elements(call: &ContourCall, contour: &Captured) -> Result<(), Box<Diagnostic>> {
+pub(super) fn check_elements(call: &ContourCall, contour: &Captured) -> Result<(), Box<Diagnostic>> {
     let turned = contour.plane == Plane::Zx;
     for piece in &contour.pieces {
         let full = matches!(piece.element, Element::Arc { from, to, .. }
@@ -354,7 +346,7 @@ fn number(mm: f64) -> String {
 }
 
 /// The arguments by their names.
-fn named(given: &Given) -> String {
+pub(super) fn named(given: &Given) -> String {
     let mut shown = Vec::new();
     for parameter in given.signature.parameters {
         let text = match given.value(parameter.name) {

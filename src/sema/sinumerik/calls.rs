@@ -1,4 +1,4 @@
-//! Entering and leaving programs: levels, passes, what a modal call runs, the end of a program.
+//! Entering and leaving programs: levels, passes, the end of a program.
 //!
 //! Source: S 5.6 (docs/sources.md).
 
@@ -13,34 +13,6 @@ use super::vars::Argument;
 use super::{Outcome, Run};
 
 impl Run<'_> {
-    /// A section or program ran up to its last block. False if nothing ended.
-    pub(super) fn ends_here(&mut self, at: u32) -> bool {
-        let level = self.channel.core.level();
-        let back = level.back;
-        match &mut level.frame.kind {
-            FrameKind::Section { from, stop, left } if at >= *stop || at < from.at => {
-                let from = *from;
-                let again = *left > 0;
-                if again {
-                    *left -= 1;
-                } else {
-                    self.channel.core.levels.pop();
-                    if let Some(capture) = &mut self.channel.capture {
-                        capture.level_ended(self.channel.core.levels.len());
-                    }
-                }
-                // A file that was read once can be read again.
-                let _ = self.channel.core.resume(if again { from } else { back });
-                true
-            }
-            FrameKind::Program { stop: Some(stop), .. } if at >= *stop => {
-                self.leave_program();
-                true
-            }
-            _ => false,
-        }
-    }
-
     /// Calls a program, or its blocks from `part.0` to the offset `part.1`.
     pub(super) fn call(
         &mut self,
@@ -99,26 +71,6 @@ impl Run<'_> {
         let _ = core.leave();
         if let Some(capture) = &mut self.channel.capture {
             capture.level_ended(self.channel.core.levels.len());
-        }
-    }
-
-    /// Behind a block that moved: the modal program, unless it is the one that moved.
-    pub(super) fn call_modal(&mut self) -> Outcome {
-        let is_modal = |kind: &FrameKind| matches!(kind, FrameKind::Program { modal: true, .. });
-        let inside = self.channel.core.levels.iter().any(|level| is_modal(&level.frame.kind));
-        if !inside && self.channel.st.modal_call.is_on() {
-            self.channel.st.pair.under_no_modal_call(&self.channel.core, &mut self.channel.st.position)?;
-        }
-        if self.channel.st.modal_call.cycle().is_some() {
-            self.channel.tapping_ends();
-            return if inside { Ok(()) } else { self.channel.drill_modal() };
-        }
-        match self.channel.st.modal_call.program() {
-            Some((unit, arguments)) if !inside => {
-                let arguments = arguments.to_vec();
-                self.call(unit, arguments, 1, true, None)
-            }
-            _ => Ok(()),
         }
     }
 

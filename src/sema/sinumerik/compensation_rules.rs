@@ -33,6 +33,16 @@ const CORNERS_HELP: &str =
 const CURVE_FEED: Ask = Ask::key("control", "curve_feed", CURVE_FEED_HELP);
 const CURVE_FEED_HELP: &str = "for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre";
 
+/// How the path goes around outer corners: by an arc, or by crossings; `flat` and `limit` in degrees, as the machine data say.
+fn outer_corners(round: bool, flat: Option<f64>, limit: Option<f64>) -> Outside {
+    if round {
+        let open = flat.is_none().then_some((Deg(0.0), FLAT, &CORNERS));
+        return Outside { prolonged: Deg(flat.unwrap_or(0.0)), open, by: None };
+    }
+    let prolonged = Deg(limit.unwrap_or(LIMIT.0));
+    Outside { prolonged, open: limit.is_none().then_some((prolonged, Deg(180.0), &CORNERS)), by: None }
+}
+
 impl State {
     /// The rules for a path that a cycle makes: it comes to the contour by itself, and damages nothing of it.
     pub(super) fn rules_of_cycle(
@@ -74,13 +84,6 @@ impl State {
             }
             disc = Some(codes::S8193::disc_is_read_as_disc_0(&self.path.overshoot()));
         }
-        let outside = if round {
-            let open = keys.flat.is_none().then_some((Deg(0.0), FLAT, &CORNERS));
-            Outside { prolonged: Deg(keys.flat.unwrap_or(0.0)), open, by: None }
-        } else {
-            let limit = Deg(keys.limit.unwrap_or(LIMIT.0));
-            Outside { prolonged: limit, open: keys.limit.is_none().then_some((limit, Deg(180.0), &CORNERS)), by: None }
-        };
         let ends = match codes_on.of(Group::CompensationEnds).index {
             2 => Ends::Circle,
             3 => Ends::Tangent,
@@ -91,7 +94,7 @@ impl State {
             nose: cutter.nose,
             approach: border,
             retract: border,
-            outside,
+            outside: outer_corners(round, keys.flat, keys.limit),
             inside: Inside::Crossing,
             search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == GCode::CDON },
             ends,

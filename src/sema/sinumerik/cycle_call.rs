@@ -18,9 +18,11 @@ use crate::sema::run::Where;
 
 use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work};
 use super::g_groups::{ActiveCodes, GCode, Group};
+use super::levels::FrameKind;
 use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
 use super::transformation::no_turning_cycle_here;
+use super::vars::Argument;
 use super::{Channel, Core, Outcome, Reported, State};
 use crate::ir::Side;
 
@@ -92,6 +94,21 @@ impl ActiveCodes {
 }
 
 impl Channel<'_> {
+    /// Behind a block that moved: drills the modal cycle, or hands out the modal program, unless it is the one that moved.
+    pub(super) fn runs_modally(&mut self) -> Outcome<Option<(usize, Vec<Argument>)>> {
+        let is_modal = |kind: &FrameKind| matches!(kind, FrameKind::Program { modal: true, .. });
+        let inside = self.core.levels.iter().any(|level| is_modal(&level.frame.kind));
+        if !inside && self.st.modal_call.is_on() {
+            self.st.pair.under_no_modal_call(&self.core, &mut self.st.position)?;
+        }
+        if self.st.modal_call.cycle().is_some() {
+            self.tapping_ends();
+            return if inside { Ok(None) } else { self.drill_modal().map(|()| None) };
+        }
+        let program = self.st.modal_call.program().filter(|_| !inside);
+        Ok(program.map(|(unit, arguments)| (unit, arguments.to_vec())))
+    }
+
     /// Runs a plan and carries out what it made.
     pub(super) fn run_plan(
         &mut self,

@@ -72,9 +72,16 @@ impl Run<'_> {
 
     fn define(&mut self, variable: &Variable, kind: TypeName, length: usize, global: bool, line: Line<'_>) -> Outcome {
         let Some(name) = variable.name else { return Ok(()) };
-        let meaning = self.meaning(name);
+        let meaning = self.names.meaning(name, &self.channel);
         self.vars.is_free_name(name, meaning, global, &self.channel, variable.span)?;
-        let sizes = self.sizes_of(variable, line)?;
+        let mut sizes = Vec::new();
+        for formula in line.arguments(variable.sizes) {
+            let n = self.number(*formula, line)?;
+            match whole(n).and_then(|n| u32::try_from(n).ok()).filter(|n| (1..=MOST_ELEMENTS).contains(n)) {
+                Some(n) => sizes.push(n),
+                None => return self.channel.core.refuse(formula.span, codes::S2018::array_has_1_to_32767_elements()),
+            }
+        }
         let core = &mut self.channel.core;
         let count = core.accept(variable.span, elements_of(&sizes))?;
         // Making them is work.
@@ -111,23 +118,6 @@ impl Run<'_> {
             return core.refuse(variable.span, codes::S2018::variables_of_program_are_too_large());
         }
         Ok(())
-    }
-
-    fn sizes_of(&mut self, variable: &Variable, line: Line<'_>) -> Outcome<Vec<u32>> {
-        let mut sizes = Vec::new();
-        for formula in line.arguments(variable.sizes) {
-            let n = self.number(*formula, line)?;
-            match whole(n).and_then(|n| u32::try_from(n).ok()).filter(|n| (1..=MOST_ELEMENTS).contains(n)) {
-                Some(n) => sizes.push(n),
-                None => {
-                    return self.channel.core.refuse(formula.span, codes::S2018::array_has_1_to_32767_elements());
-                }
-            }
-        }
-        if sizes.len() > 3 {
-            return self.channel.core.refuse(variable.span, codes::S2018::array_has_at_most_three_directions());
-        }
-        Ok(sizes)
     }
 
     fn started(&mut self, mut var: Var, formula: Formula, line: Line<'_>) -> Outcome<Var> {
@@ -214,7 +204,7 @@ impl Run<'_> {
                 Stmt::Def { kind, length, .. } => {
                     self.def_block(kind, length, true, Line { block: &block, text: &text })
                 }
-                Stmt::Define(span) => self.define_macro(span.of(&text), span),
+                Stmt::Define(span) => self.names.define_macro(span.of(&text), span, &self.vars, &mut self.channel),
                 Stmt::Empty | Stmt::Header | Stmt::Bad | Stmt::Redef(_) | Stmt::Words => Ok(()),
                 _ => core.refuse(block.span, codes::S2013::definition_file_holds_def()),
             };
@@ -279,6 +269,9 @@ fn definition_file(job: &Job<'_>, name: &str) -> Result<Option<(Opened, bool)>, 
 }
 
 fn elements_of(sizes: &[u32]) -> Result<u64, Fault> {
+    if sizes.len() > 3 {
+        return Err(codes::S2018::array_has_at_most_three_directions());
+    }
     let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
     if count > u64::from(MOST_ELEMENTS) * 4 { Err(codes::S2018::elements_are_too_many(&count)) } else { Ok(count) }
 }

@@ -1,4 +1,4 @@
-//! Computes formulas: postfix operations over a stack of values.
+//! Computes formulas: postfix operations over a stack of values, and lists of them.
 //!
 //! Source: S 5.2 (docs/sources.md). Comparisons bind weakest; REAL values are equal within 1e-12 of their size.
 
@@ -7,14 +7,14 @@ use std::rc::Rc;
 
 use crate::diag::{Answer, codes};
 use crate::lexer::formula::Function;
-use crate::parser::sinumerik::ast::{Base, Formula, Op};
+use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::value::{At, Divisor, Fault, Formulas, SetBy, Stop, evaluate};
 use crate::text::Span;
 use crate::text::decode::readable;
 
 use super::axis_names::NamedAxis;
-use super::conversions::says_negative_half;
+use super::conversions::{Fill, says_negative_half};
 use super::formula_functions::{self, FormulaFunction};
 use super::frame_functions::frame_function;
 use super::frames::FrameValue;
@@ -230,6 +230,36 @@ impl Run<'_> {
         self.channel.core.accept(formula.span, whole(value).ok_or_else(fault))
     }
 
+    /// The values of `SET(…)`, `(…)` or `REP(…)`; `None` for anything else.
+    pub(super) fn list_of(&mut self, formula: Formula, line: Line<'_>) -> Outcome<Option<Fill>> {
+        let (inner, repeats) = match line.ops(formula) {
+            [inner @ .., Op::List(_)] => (inner, false),
+            [inner @ .., Op::Call(name, _, _)] => match self.channel.core.symbols.name(*name) {
+                "SET" => (inner, false),
+                "REP" => (inner, true),
+                _ => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        // Values that stand one behind the other: what is left on the stack.
+        let mut wrapped = Block { ops: inner.to_vec(), ..Block::default() };
+        wrapped.ops.push(Op::List(depth(inner)));
+        let all = Formula { from: 0, to: wrapped.ops.len() as u32, span: formula.span };
+        let Val::List(list) = self.eval(all, Line { block: &wrapped, text: line.text })? else { return Err(Reported) };
+        if !repeats {
+            return Ok(Some(Fill::Set(list.to_vec())));
+        }
+        let count = list.get(1).map(|value| value.number().and_then(whole).and_then(|n| usize::try_from(n).ok()));
+        match (list.first(), count) {
+            (_, Some(None)) => {
+                let fault = codes::S2017::rep_counts_elements_by_whole_number();
+                self.channel.core.refuse(formula.span, fault)
+            }
+            (Some(value), count) => Ok(Some(Fill::Repeat(value.clone(), count.flatten()))),
+            (None, _) => self.channel.core.refuse(formula.span, codes::S2017::rep_needs_value()),
+        }
+    }
+
     fn name_value(&mut self, name: Symbol, span: Span) -> Outcome<Val> {
         if let Some(value) = self.found_by_cycle(name, &[], span)? {
             return Ok(value);
@@ -330,15 +360,25 @@ impl Run<'_> {
             return Ok(Val::Int(i32::try_from(number).unwrap_or(0)));
         }
         let Some((word, function)) = formula_functions::find(word) else {
-            let fault = match self.meaning(name) {
+            let fault = match self.names.meaning(name, &self.channel) {
                 Meaning::Unknown => codes::S2001::there_is_no_function(&self.channel.core.symbols.name(name)),
-                _ => self.misused_word(name),
+                _ => self.names.misused(name, &self.vars, &self.channel),
             };
             return self.channel.core.refuse(span, fault);
         };
         let args = if args == [Val::Missing] { &[] } else { args };
         let made = match function {
-            FormulaFunction::Program if matches!(word, "ISVAR" | "ISFILE") => return self.is_known(word, args, span),
+            FormulaFunction::Program if matches!(word, "ISVAR" | "ISFILE") => {
+                let core = &mut self.channel.core;
+                let wanted = core.accept(span, asked_name(word, args))?;
+                let there = if word == "ISFILE" {
+                    let there = self.units.is_file(core, &wanted);
+                    core.accept(span, there.map_err(|error| codes::P0105::file_cannot_be_read(&error)))?
+                } else {
+                    self.vars.is_known(&wanted, &mut core.symbols)
+                };
+                return Ok(Val::Bool(there));
+            }
             FormulaFunction::Program if word == "AXNAME" => {
                 return self.channel.axis_names.of_text(&self.channel.core, args, span);
             }
@@ -354,25 +394,31 @@ impl Run<'_> {
         }
         self.channel.core.accept(span, made.map_err(|error| error.fault(word)))
     }
+}
 
-    /// ISVAR and ISFILE.
-    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
-        let core = &mut self.channel.core;
-        let [Val::Text(text)] = args else {
-            return core.refuse(span, codes::S2021::takes_text(&name));
-        };
-        let wanted = String::from_utf8_lossy(text);
-        if name == "ISFILE" {
-            return match self.units.is_file(core, &wanted) {
-                Ok(there) => Ok(Val::Bool(there)),
-                Err(error) => core.refuse(span, codes::P0105::file_cannot_be_read(&error)),
-            };
-        }
-        if wanted.trim_start().starts_with('$') {
-            return core.refuse(span, codes::P2023::whether_control_has_is_known_on_machine(&wanted));
-        }
-        Ok(Val::Bool(self.vars.is_known(&wanted, &mut core.symbols)))
+/// What ISVAR and ISFILE ask for.
+fn asked_name(function: &str, args: &[Val]) -> Result<String, crate::diag::Fault> {
+    let [Val::Text(text)] = args else { return Err(codes::S2021::takes_text(&function)) };
+    let wanted = String::from_utf8_lossy(text).into_owned();
+    if function == "ISVAR" && wanted.trim_start().starts_with('$') {
+        return Err(codes::P2023::whether_control_has_is_known_on_machine(&wanted));
     }
+    Ok(wanted)
+}
+
+/// How many values postfix operations leave.
+fn depth(ops: &[Op]) -> u32 {
+    let mut depth = 0u32;
+    for op in ops {
+        let used = match op {
+            Op::Index(_, n, _) | Op::Call(_, n, _) | Op::List(n) => *n,
+            Op::Unary(_) | Op::ToText => 1,
+            Op::Binary(_) | Op::Join | Op::Chain => 2,
+            _ => 0,
+        };
+        depth = (depth + 1).saturating_sub(used);
+    }
+    depth
 }
 
 fn joined(machine: &mut Machine) -> Result<Val, Stop> {

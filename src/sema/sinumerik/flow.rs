@@ -4,7 +4,7 @@
 
 use crate::diag::codes;
 use crate::ir::Function;
-use crate::parser::sinumerik::ast::{Arm, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
+use crate::parser::sinumerik::ast::{Formula, Jump, JumpTarget, Search, Stmt, Target, When};
 use crate::text::{Place, Span};
 
 use super::levels::{self, FrameKind};
@@ -23,7 +23,8 @@ impl Run<'_> {
                 let at = self.channel.core.here.at;
                 let counts = self.channel.core.level().frame.counting.take() == Some(at);
                 let goes_on = self.count(counts, variable, [from, to], line);
-                (own.close, self.or_stops(goes_on)?)
+                // Without a result nobody knows where the program goes on.
+                (own.close, goes_on.inspect_err(|_| self.channel.core.stop_run())?)
             }
             Stmt::Else => (own.close, false),
             Stmt::EndWhile => return self.channel.core.go_to(own.open.place),
@@ -43,26 +44,19 @@ impl Run<'_> {
 
     /// A condition on which the way of the program depends: without it the run cannot go on.
     fn decides(&mut self, condition: Formula, line: Line<'_>) -> Outcome<bool> {
-        let result = self.eval(condition, line).and_then(|value| {
+        let truth = self.eval(condition, line).and_then(|value| {
             let truth = value.truth().ok_or_else(|| codes::P2024::condition_is_needed(&value.what()));
             self.channel.core.accept(condition.span, truth)
         });
-        self.or_stops(result)
-    }
-
-    /// Without a result nobody knows where the program goes on.
-    fn or_stops<T>(&self, result: Outcome<T>) -> Outcome<T> {
-        if result.is_err() {
-            self.channel.core.stop_run();
-        }
-        result
+        truth.inspect_err(|_| self.channel.core.stop_run())
     }
 
     /// FOR: does the loop go on?
     fn count(&mut self, counts: bool, variable: Target, [from, to]: [Formula; 2], line: Line<'_>) -> Outcome<bool> {
         let too_large = codes::S2029::count_of_for_fits_no_int;
         let value = if counts {
-            let now = self.read_target(variable, line)?;
+            let args = self.values(line.indices_of(variable), line)?;
+            let now = self.vars.read_target(variable, &args, &self.channel, line.block.span)?;
             let Some(next) = now.number().and_then(whole).and_then(|n| n.checked_add(1)) else {
                 return self.channel.core.refuse(line.block.span, too_large());
             };
@@ -77,34 +71,26 @@ impl Run<'_> {
 
     // Jumps.
 
-    pub(super) fn if_jumps(&mut self, line: Line<'_>) -> Outcome {
+    /// IF with jumps; CASE of the number that `formula` has.
+    pub(super) fn jump_by_arms(&mut self, formula: Option<Formula>, line: Line<'_>) -> Outcome {
+        let value = formula.map(|formula| self.number(formula, line)).transpose();
+        let value = value.inspect_err(|_| self.channel.core.stop_run())?;
         for arm in &line.block.arms {
-            if let When::Condition(condition) = arm.when
-                && self.decides(condition, line)?
-            {
+            let taken = match arm.when {
+                When::Condition(condition) => self.decides(condition, line)?,
+                When::Constant(n) => value.is_some_and(|value| n as f64 == libm::floor(value + 0.5)),
+                When::Default => true,
+            };
+            if taken {
                 return self.jump(arm.jump, line);
             }
         }
         Ok(())
     }
 
-    pub(super) fn case_block(&mut self, formula: Formula, line: Line<'_>) -> Outcome {
-        let value = self.number(formula, line);
-        let value = self.or_stops(value)?;
-        let chosen = |arm: &&Arm| match arm.when {
-            When::Constant(n) => n as f64 == libm::floor(value + 0.5),
-            When::Default => true,
-            When::Condition(_) => false,
-        };
-        match line.block.arms.iter().find(chosen) {
-            Some(arm) => self.jump(arm.jump, line),
-            None => Ok(()),
-        }
-    }
-
     pub(super) fn jump(&mut self, jump: Jump, line: Line<'_>) -> Outcome {
-        let result = self.find_target(jump, line);
-        match self.or_stops(result)? {
+        let found = self.find_target(jump, line);
+        match found.inspect_err(|_| self.channel.core.stop_run())? {
             Some(mark) => self.channel.core.go_to(mark.place),
             None => Ok(()),
         }
@@ -166,7 +152,7 @@ impl Run<'_> {
         }
         self.channel.pending_must_be_done(span)?;
         let result = self.return_to(target.copied(), formulas, span, line);
-        self.or_stops(result)
+        result.inspect_err(|_| self.channel.core.stop_run())
     }
 
     fn return_to(&mut self, target: Option<Formula>, formulas: &[Formula], span: Span, line: Line<'_>) -> Outcome {

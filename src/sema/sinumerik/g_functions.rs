@@ -9,12 +9,40 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
-use super::left_out::LeftOut;
 use super::state::Saved;
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
 
+/// Is one of its codes the whole block?
+pub(super) enum Whole {
+    No,
+    Done,
+    /// A code of group 2, which may have moved the tool as a block of moves does.
+    Nonmodal {
+        moved: bool,
+    },
+}
+
 impl Channel<'_> {
+    /// Carries out the codes of a block.
+    pub(super) fn codes_of_block(&mut self, w: &mut Words) -> Outcome<Whole> {
+        if w.codes.is_empty() && w.diameter.is_none() && w.dynamics.is_none() && !w.smoothing.is_given() {
+            return Ok(Whole::No);
+        }
+        self.core.check_codes(w)?;
+        self.modal_codes(w)?;
+        if let Some((code, span)) = w.code_of(Group::Nonmodal) {
+            return self.nonmodal_block(code, span, w).map(|moved| Whole::Nonmodal { moved });
+        }
+        if let Some((code, span)) = w.code_of(Group::Frame) {
+            return self.frame_block(code, span, w).map(|()| Whole::Done);
+        }
+        if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
+            return self.buffer_code(code, span, w).map(|()| Whole::Done);
+        }
+        Ok(Whole::No)
+    }
+
     /// The codes that hold on.
     pub(super) fn modal_codes(&mut self, w: &Words) -> Outcome {
         for at in 0..w.codes.len() {
@@ -76,11 +104,9 @@ impl Channel<'_> {
             _ => {
                 self.refused_code(code, span)?;
                 let curve_feed = self.core.job.settings.control.sinumerik.compensation.curve_feed;
-                match code.left_out(self.core.resolves(), curve_feed) {
-                    Some(LeftOut::Once(fault)) => self.core.say_once(span, fault),
-                    Some(LeftOut::Here(fault)) => self.core.report_new(fault.at(self.core.loc(span))),
-                    // Other blocks ask for it where it counts.
-                    None => {}
+                // Other blocks ask for the rest where it counts.
+                if let Some(said) = code.left_out(self.core.resolves(), curve_feed) {
+                    said.say(&self.core, span);
                 }
                 self.st.codes.activate(code);
             }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.2 and 1.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::parser::sinumerik::ast::{Args, Formula, Op, Value, Word};
 use crate::text::Span;
 
@@ -12,6 +12,12 @@ use super::value::Val;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Run};
+
+/// The spindle of an index.
+pub(super) fn spindle(index: i32) -> Result<u8, Fault> {
+    let spindle = u8::try_from(index).ok().filter(|n| (1..=20).contains(n));
+    spindle.ok_or_else(|| codes::S2018::there_is_no_spindle(&index))
+}
 
 impl Run<'_> {
     /// The number behind a word, with its modifier.
@@ -59,12 +65,6 @@ impl Run<'_> {
             return self.channel.core.refuse(line.block.span, codes::S2018::one_index_is_needed());
         };
         self.whole_number(formula, line, codes::S2018::index_is_whole_number)
-    }
-
-    pub(super) fn spindle_index(&mut self, args: Args, line: Line<'_>) -> Outcome<u8> {
-        let n = self.index_number(args, line)?;
-        let spindle = u8::try_from(n).ok().filter(|n| (1..=20).contains(n));
-        self.channel.core.accept(line.block.span, spindle.ok_or_else(|| codes::S2018::there_is_no_spindle(&n)))
     }
 
     /// The axis in brackets.

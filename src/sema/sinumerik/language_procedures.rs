@@ -8,13 +8,13 @@ use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Formula, Op};
 use crate::text::Span;
 
-use super::left_out::is_path;
+use super::left_out::{LeftOut, said_of_feed_axes};
 use super::line::{Line, NextText};
 use super::swivel::{MOST as MOST_OF_SWIVEL, RECORD as SWIVEL_RECORD};
 use super::system_meanings::meaning_of;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{OnSurface, Procedure, Refusal};
-use super::{Outcome, Run, cycle_alarms, cycles};
+use super::{Channel, Outcome, Run, cycle_alarms, cycles};
 
 /// Words of the tool management that give no value and change no tool.
 const LEFT_OUT_BY_ENTRY: [&str; 2] = ["SETPIECE", "RESETMON"];
@@ -32,51 +32,34 @@ impl Run<'_> {
         (formulas, span): (&[Formula], Span),
         line: Line<'_>,
     ) -> Outcome<Option<NextText>> {
-        let core = &self.channel.core;
+        if let Some(done) = self.channel.plain_procedure(procedure, name, !formulas.is_empty(), span) {
+            return done.map(|()| None);
+        }
         match procedure {
             Procedure::Dynamics if name == "FGROUP" => {
                 let values = self.values(formulas, line)?;
-                let core = &self.channel.core;
-                if is_path(&values, self.channel.st.machine.geometry_axes) {
-                    core.say_once(span, codes::S8002::words_that_only_shape_speed());
-                } else {
-                    core.report_new(codes::S8101::fgroup_is_left_out().at(core.loc(span)));
-                }
+                said_of_feed_axes(&values, self.channel.st.machine.geometry_axes).say(&self.channel.core, span);
             }
-            Procedure::Dynamics if name == "CYCLE832" => self.high_speed_settings(formulas, span, line)?,
-            Procedure::NoEffect => core.say_once(span, codes::S8103::words_that_only_steer_control()),
-            Procedure::WheelSpeed => {
-                core.report_new(codes::S8101::speed_of_wheel_is_left_out(&name).at(core.loc(span)));
-            }
-            Procedure::Dynamics => core.say_once(span, codes::S8002::words_that_only_shape_speed()),
-            Procedure::Channel => core.say_once(span, codes::S8015::words_that_synchronize_channels_are_left_out()),
-            Procedure::Actions => core.say_once(span, codes::S8170::acts_on_synchronized_actions(&name)),
-            Procedure::Interrupt => core.say_once(span, codes::S8016::interrupt_programs_are_left_out()),
+            Procedure::Dynamics => self.high_speed_settings(formulas, span, line)?,
             Procedure::Message => {
-                if let Some(formula) = given(formulas.first()) {
-                    let value = self.eval(formula, line)?;
-                    let shown = to_text(&value).filter(|shown| !shown.is_empty());
-                    if let Some(shown) = shown.filter(|_| self.channel.core.job.settings.output.comments) {
-                        self.channel.function(Function::Comment(shown));
-                    }
+                let value = given(formulas.first()).map(|formula| self.eval(formula, line)).transpose()?;
+                let shown = value.as_ref().and_then(to_text).filter(|shown| !shown.is_empty());
+                if let Some(shown) = shown.filter(|_| self.channel.core.job.settings.output.comments) {
+                    self.channel.function(Function::Comment(shown));
                 }
             }
             Procedure::SetAlarm => return self.set_alarm(formulas, span, line),
             Procedure::SetMaster => {
-                let n = match formulas.first() {
-                    Some(formula) => self.number(*formula, line)?,
-                    None => 1.0,
-                };
-                match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
-                    Some(n) => self.channel.set_master(n, span)?,
-                    None => return self.channel.core.refuse(span, codes::S2045::there_is_no_spindle(&n)),
-                }
+                let n = if let [first, ..] = formulas { self.number(*first, line)? } else { 1.0 };
+                let spindle = whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n));
+                let spindle = spindle.ok_or_else(|| codes::S2045::there_is_no_spindle(&n));
+                self.channel.set_master(self.channel.core.accept(span, spindle)?, span)?;
             }
             Procedure::FileAccess => self.file_access(name, formulas, span, line)?,
             Procedure::CallPath => self.call_path_block(formulas, span, line)?,
             Procedure::ExecString => {
                 let [formula] = *formulas else {
-                    return core.refuse(span, codes::S2021::execstring_takes_one_text());
+                    return self.channel.core.refuse(span, codes::S2021::execstring_takes_one_text());
                 };
                 return match self.eval(formula, line)? {
                     Val::Text(text) => Ok(Some(NextText { text: text.to_vec(), span })),
@@ -84,31 +67,21 @@ impl Run<'_> {
                 };
             }
             Procedure::Return => self.return_block(formulas, span, line)?,
-            Procedure::Transformation(on) => self.transformation(on, formulas, span, line)?,
-            Procedure::TransformationOff | Procedure::DiameterChannel if !formulas.is_empty() => {
-                return core.refuse(span, codes::S2021::takes_no_argument(&name));
-            }
-            Procedure::TransformationOff => {
-                let on = self.channel.st.transformation.is_some();
-                self.channel.transformation_ends(span)?;
-                if !on {
-                    self.channel.core.say_once(span, codes::S8103::words_that_only_steer_control());
+            Procedure::Transformation(on) => {
+                let most = if on == OnSurface::Face { 1 } else { 3 };
+                if let Some(more) = formulas.get(most) {
+                    let fault = codes::S2021::takes_argument(&on.word(), &most, &(if most == 1 { "" } else { "s" }));
+                    return self.channel.core.refuse(more.span, fault);
                 }
-            }
-            Procedure::Swivel if formulas.is_empty() => {
-                self.channel.swivel_off();
-                self.channel.core.say_once(span, codes::S8103::words_that_only_steer_control());
+                let mut numbers = [None; 3];
+                for (place, formula) in numbers.iter_mut().zip(formulas).filter(|(_, formula)| !formula.is_missing()) {
+                    *place = Some((self.number(*formula, line)?, formula.span));
+                }
+                self.channel.transformation(on, numbers, span)?;
             }
             Procedure::Swivel => self.swivel(formulas, span, line)?,
             Procedure::GeoAxes => self.geo_axes(formulas, span, line)?,
-            Procedure::EndLabel => return core.refuse(span, codes::P1001::endlabel_is_label()),
-            Procedure::DiameterChannel => self.channel.st.diameter = None,
-            Procedure::Refused(refusal) => {
-                // Nobody knows where it leaves the axes.
-                self.channel.st.position.lose(AxisSet::ALL);
-                self.channel.lost();
-                return self.channel.core.refuse(span, not_supported(name, refusal));
-            }
+            _ => {}
         }
         Ok(None)
     }
@@ -284,19 +257,49 @@ impl Run<'_> {
         }
         self.channel.swivel_by_nothing(&values, formulas.len() <= 1, span)
     }
+}
 
-    /// `TRANSMIT`, `TRANSMIT(n)`, `TRACYL(d)`, `TRACYL(d, n, k)`
-    fn transformation(&mut self, on: OnSurface, formulas: &[Formula], span: Span, line: Line<'_>) -> Outcome {
-        let most = if on == OnSurface::Face { 1 } else { 3 };
-        if let Some(more) = formulas.get(most) {
-            let plural = if most == 1 { "" } else { "s" };
-            return self.channel.core.refuse(more.span, codes::S2021::takes_argument(&on.word(), &most, &plural));
-        }
-        let mut numbers = [None; 3];
-        for (place, formula) in numbers.iter_mut().zip(formulas).filter(|(_, formula)| !formula.is_missing()) {
-            *place = Some((self.number(*formula, line)?, formula.span));
-        }
-        self.channel.transformation(on, numbers, span)
+impl Channel<'_> {
+    /// A procedure that takes no arguments, or is not compiled; `None` for any other.
+    fn plain_procedure(
+        &mut self,
+        procedure: Procedure,
+        name: &str,
+        has_arguments: bool,
+        span: Span,
+    ) -> Option<Outcome> {
+        Some(match procedure {
+            Procedure::TransformationOff | Procedure::DiameterChannel if has_arguments => {
+                self.core.refuse(span, codes::S2021::takes_no_argument(&name))
+            }
+            Procedure::TransformationOff => {
+                let on = self.st.transformation.is_some();
+                let ended = self.transformation_ends(span);
+                if ended.is_ok() && !on {
+                    self.core.say_once(span, codes::S8103::words_that_only_steer_control());
+                }
+                ended
+            }
+            Procedure::DiameterChannel => {
+                self.st.diameter = None;
+                Ok(())
+            }
+            Procedure::Swivel if !has_arguments => {
+                self.swivel_off(span);
+                Ok(())
+            }
+            Procedure::EndLabel => self.core.refuse(span, codes::P1001::endlabel_is_label()),
+            Procedure::Refused(refusal) => {
+                // Nobody knows where it leaves the axes.
+                self.st.position.lose(AxisSet::ALL);
+                self.lost();
+                self.core.refuse(span, not_supported(name, refusal))
+            }
+            _ => {
+                LeftOut::of_procedure(procedure, name)?.say(&self.core, span);
+                Ok(())
+            }
+        })
     }
 }
 

@@ -4,18 +4,25 @@
 
 use crate::diag::{Fault, codes};
 use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
 
+use super::Core;
 use super::g_groups::{GCode, Group};
 use super::value::Val;
+use super::vocabulary::Procedure;
 
-/// FGROUP: do the axes along which F counts make the path? None are named, or the geometry axes.
-pub(super) fn is_path(values: &[Val], geometry: [Axis; 3]) -> bool {
+/// FGROUP: the axes along which F counts. Without arguments, or with the geometry axes, it is the path.
+pub(super) fn said_of_feed_axes(values: &[Val], geometry: [Axis; 3]) -> LeftOut {
     let axis_of = |value: &Val| match value {
         Val::Axis(named) => named.axis,
         _ => None,
     };
     let named: AxisSet = values.iter().filter_map(axis_of).collect();
-    named.is_empty() || named == geometry.into_iter().collect()
+    if named.is_empty() || named == geometry.into_iter().collect() {
+        LeftOut::Once(codes::S8002::words_that_only_shape_speed())
+    } else {
+        LeftOut::Here(codes::S8101::fgroup_is_left_out())
+    }
 }
 
 /// Groups that steer the control. SAR, splines, punching, transformations and frames of the tool are refused themselves.
@@ -46,12 +53,37 @@ fn steers_only(group: Group) -> bool {
     )
 }
 
-/// A code that is modal and prints nothing.
+/// What is said of a word that has no counterpart in the output.
 pub(super) enum LeftOut {
     /// Said once for the whole program.
     Once(Fault),
     /// Said at each place.
     Here(Fault),
+}
+
+impl LeftOut {
+    pub fn say(self, core: &Core<'_>, span: Span) {
+        match self {
+            LeftOut::Once(fault) => core.say_once(span, fault),
+            LeftOut::Here(fault) => core.report_new(fault.at(core.loc(span))),
+        }
+    }
+
+    /// What is said of a procedure that changes nothing of the path; `None` for one that does something.
+    pub fn of_procedure(procedure: Procedure, name: &str) -> Option<LeftOut> {
+        use LeftOut::{Here, Once};
+        Some(match procedure {
+            Procedure::NoEffect => Once(codes::S8103::words_that_only_steer_control()),
+            Procedure::WheelSpeed => Here(codes::S8101::speed_of_wheel_is_left_out(&name)),
+            Procedure::Dynamics if !matches!(name, "FGROUP" | "CYCLE832") => {
+                Once(codes::S8002::words_that_only_shape_speed())
+            }
+            Procedure::Channel => Once(codes::S8015::words_that_synchronize_channels_are_left_out()),
+            Procedure::Actions => Once(codes::S8170::acts_on_synchronized_actions(&name)),
+            Procedure::Interrupt => Once(codes::S8016::interrupt_programs_are_left_out()),
+            _ => return None,
+        })
+    }
 }
 
 impl GCode {

@@ -70,6 +70,14 @@ impl Frame {
     }
 }
 
+/// What ran up to its last block.
+pub(super) enum PartEnds {
+    /// A section of a repeat; one that is not over goes round again.
+    Section { over: bool },
+    /// A part of a program, which has to be left.
+    Program,
+}
+
 /// The program that runs.
 pub(super) fn unit(levels: &[Level<Frame>]) -> usize {
     levels.last().map_or(0, |level| level.frame.unit)
@@ -149,6 +157,27 @@ impl Core<'_> {
         self.stop_run();
         let help = self.cycle_of_calls().unwrap_or_else(|| "call or repeat in fewer levels".to_owned());
         self.refuse(Where::Block, codes::P4003::programs_repeats_are_nested_deeper(&self.levels.len()).help(help))
+    }
+
+    /// Ends the section, or its pass, that ran up to its last block; of a part of a program it only says so.
+    pub(super) fn part_ends(&mut self, at: u32) -> Option<PartEnds> {
+        let level = self.level();
+        let back = level.back;
+        let (goes_on, over) = match &mut level.frame.kind {
+            FrameKind::Section { from, stop, left } if at >= *stop || at < from.at => {
+                let again = *left > 0;
+                *left -= u32::from(again);
+                (if again { *from } else { back }, !again)
+            }
+            FrameKind::Program { stop: Some(stop), .. } if at >= *stop => return Some(PartEnds::Program),
+            _ => return None,
+        };
+        if over {
+            self.levels.pop();
+        }
+        // A file that was read once can be read again.
+        let _ = self.resume(goes_on);
+        Some(PartEnds::Section { over })
     }
 
     /// Goes on at `place` of the current program. Repeats that do not hold the place end.

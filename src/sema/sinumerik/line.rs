@@ -1,6 +1,6 @@
 //! A block and the text that it was read from.
 
-use crate::parser::sinumerik::ast::{Args, Block, Formula, Op};
+use crate::parser::sinumerik::ast::{Args, Block, Formula, Op, Target};
 use crate::text::Span;
 
 /// A block with its text, in which the spans of its words count.
@@ -20,6 +20,11 @@ impl<'b> Line<'b> {
     /// The arguments of a call.
     pub fn arguments(self, args: Args) -> &'b [Formula] {
         self.block.arguments(args)
+    }
+
+    /// What stands in the brackets of a target.
+    pub fn indices_of(self, target: Target) -> &'b [Formula] {
+        self.arguments_of(if let Target::Indexed(_, args) = target { Some(args) } else { None })
     }
 
     /// The arguments of a call that may have none.

@@ -1,18 +1,16 @@
 //! Machining cycles: the arguments of a call are evaluated and held against their row, and its work is done.
 
 use crate::diag::codes;
-use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::Args;
 use crate::sema::cycle::given::{Given, Value};
 use crate::sema::cycle::row;
 use crate::text::Span;
 
-use super::cycles::{self, Cycle as Row, Work};
+use super::called_contours::{check_elements, named, unpublished};
+use super::cycles::{Cycle as Row, Work};
 use super::line::Line;
-use super::modal_call::ModalCycle;
 use super::value::{Val, to_text};
-use super::words::CallWord;
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// A value of the language as the argument of a parameter.
 fn value_of(value: &Val, kind: row::Kind) -> Value {
@@ -33,26 +31,14 @@ fn value_of(value: &Val, kind: row::Kind) -> Value {
 }
 
 impl Run<'_> {
-    /// Runs a machining cycle; `None` for a name that is none, or that is not built.
-    pub(super) fn machining_cycle(&mut self, name: &str, call: CallWord, line: Line<'_>) -> Option<Outcome> {
-        let row = cycles::find(name)?;
-        if matches!(row.work, Work::Nothing) || self.units.own_program(&mut self.channel.core, name) {
-            return None;
-        }
-        let given = self.given_of(row, call.args, call.span, line);
-        let result = given.and_then(|given| {
-            self.channel.core.begins_executing();
-            self.channel.takes_cycle(row, &given)?;
-            self.run_cycle(row, &given)
-        });
-        if result.is_err() {
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
-        }
-        Some(result)
-    }
-
-    fn given_of(&mut self, row: &'static Row, args: Option<Args>, span: Span, line: Line<'_>) -> Outcome<Given> {
+    /// The arguments of a call, as the row of the cycle takes them.
+    pub(super) fn given_of(
+        &mut self,
+        row: &'static Row,
+        args: Option<Args>,
+        span: Span,
+        line: Line<'_>,
+    ) -> Outcome<Given> {
         let name = row.signature.name;
         if let Some(capture) = &mut self.channel.capture {
             let fault = |contour: &str| codes::S2091::stands_in_contour(&name, &contour);
@@ -74,7 +60,9 @@ impl Run<'_> {
         Ok(given)
     }
 
-    fn run_cycle(&mut self, row: &'static Row, given: &Given) -> Outcome {
+    pub(super) fn run_cycle(&mut self, row: &'static Row, given: &Given) -> Outcome {
+        self.channel.core.begins_executing();
+        self.channel.takes_cycle(row, given)?;
         match &row.work {
             Work::Hole(_) => {
                 let hole = self.channel.hole_of(row, given)?;
@@ -85,28 +73,26 @@ impl Run<'_> {
                 let contours = self.contours_of(given, *contour)?;
                 self.channel.run_plan(row, given, |call| plan(call, &contours))
             }
-            Work::NamesContour => self.contour_call(given),
-            Work::Unpublished(cycle) => self.unpublished_cycle(given, *cycle),
+            Work::NamesContour => {
+                let core = &mut self.channel.core;
+                let call = self.units.contour_of_call(core, given)?;
+                core.accept(given.place, self.contours.add(&call).map_err(|fault| fault.of(&given.called)))?;
+                // What is wrong with it shows here, also where no cycle follows that is built.
+                let made = self.capture(&call)?;
+                check_elements(&call, &made).map_err(|found| {
+                    self.channel.core.report(*found);
+                    Reported
+                })
+            }
+            // Its tracks are not published.
+            Work::Unpublished(source) => {
+                let contours = self.contours_of(given, *source)?;
+                self.channel
+                    .core
+                    .report(unpublished(given, &contours).at(self.channel.core.loc(given.place)).here(named(given)));
+                Err(Reported)
+            }
             Work::Nothing => Ok(()),
         }
-    }
-
-    /// `MCALL CYCLE81(…)`; `None` for a name that is no cycle.
-    pub(super) fn modal_machining_cycle(&mut self, name: &str, args: Args, line: Line<'_>) -> Option<Outcome> {
-        let row = cycles::find(name)?;
-        let Work::Hole(drilling) = &row.work else { return None };
-        if self.units.own_program(&mut self.channel.core, name) {
-            return None;
-        }
-        Some(self.given_of(row, Some(args), line.block.span, line).and_then(|given| {
-            self.channel.st.modal_call.end();
-            let hole = self.channel.hole_of(row, &given)?;
-            let feed_of_block = drilling.modal_feed;
-            let under = (self.channel.st.plane(), self.channel.st.length_unit());
-            let (here, spindle) = (self.channel.core.here, self.channel.st.spindle_state());
-            let made = ModalCycle { hole, given, here, spindle, feed_of_block, under, refused: false };
-            self.channel.st.modal_call.set_cycle(Box::new(made));
-            Ok(())
-        }))
     }
 }

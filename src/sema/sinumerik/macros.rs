@@ -6,11 +6,9 @@ use rustc_hash::FxHashMap;
 
 use crate::diag::{Fault, codes};
 use crate::parser::symbols::{Symbol, Symbols};
-use crate::text::Span;
 
 use super::g_groups::GCodes;
 use super::vocabulary::Meaning;
-use super::{Outcome, Run};
 
 /// Longest text of a macro.
 const MOST_MACRO: usize = 256;
@@ -21,35 +19,8 @@ pub(super) struct Sinumerik {
     macros: FxHashMap<Symbol, Box<[u8]>>,
 }
 
-impl Run<'_> {
-    /// `NAME AS words`
-    pub(super) fn define_macro(&mut self, rest: &[u8], span: Span) -> Outcome {
-        let (name, body) = self.channel.core.accept(span, name_and_words(rest))?;
-        let symbol = self.channel.core.symbols.intern(name);
-        let meaning = self.meaning(symbol);
-        let core = &mut self.channel.core;
-        let word = core.symbols.name(symbol);
-        if is_in_use(word, meaning, &self.gcodes) {
-            return core.refuse(span, codes::S2016::is_word_of_language(&word).alarm(alarm_of_use(word)));
-        }
-        if core.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
-            return core.refuse(span, codes::S2016::macro_is_defined_twice(&word));
-        }
-        if self.vars.find(symbol).is_some() {
-            return core.refuse(span, codes::S2016::is_variable_already(&word));
-        }
-        if core.language.macros.insert(symbol, body.into()).as_deref() != Some(body) {
-            // Blocks that were read before may contain the name.
-            for program in &mut core.programs {
-                program.source.forget_blocks();
-            }
-        }
-        Ok(())
-    }
-}
-
 /// Name and words of `NAME AS words`.
-fn name_and_words(rest: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
+pub(super) fn name_and_words(rest: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
     let rest = rest.trim_ascii();
     let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
     let (name, body) = rest.split_at(len);
@@ -63,7 +34,7 @@ fn name_and_words(rest: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
 }
 
 /// Would a macro of this name give a word of the language another meaning? `word` is in capitals.
-fn is_in_use(word: &str, meaning: Meaning, gcodes: &GCodes) -> bool {
+pub(super) fn is_in_use(word: &str, meaning: Meaning, gcodes: &GCodes) -> bool {
     let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
     match (word.as_bytes().first(), digits) {
         (Some(b'G'), Some(digits)) => {
@@ -80,7 +51,7 @@ fn is_in_use(word: &str, meaning: Meaning, gcodes: &GCodes) -> bool {
 }
 
 /// The alarm of a word that is in use: numbers of G and M that are too long have their own.
-fn alarm_of_use(word: &str) -> u32 {
+pub(super) fn alarm_of_use(word: &str) -> u32 {
     let digits = word.get(1..).unwrap_or_default();
     let most = if word.starts_with('G') { 3 } else { 2 };
     let long = word.starts_with(['G', 'M']) && digits.len() > most;
@@ -88,6 +59,15 @@ fn alarm_of_use(word: &str) -> u32 {
 }
 
 impl Sinumerik {
+    /// What the macro stands for.
+    pub fn body(&self, name: Symbol) -> Option<&[u8]> {
+        self.macros.get(&name).map(|body| &**body)
+    }
+
+    pub fn define(&mut self, name: Symbol, body: &[u8]) {
+        self.macros.insert(name, body.into());
+    }
+
     pub fn has_macros(&self) -> bool {
         !self.macros.is_empty()
     }

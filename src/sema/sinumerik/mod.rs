@@ -107,8 +107,6 @@ mod vars;
 mod vocabulary;
 mod words;
 
-use rustc_hash::FxHashMap;
-
 use crate::diag::codes;
 use crate::ir::contour::Sink;
 use crate::machine::AxisSet;
@@ -125,15 +123,14 @@ use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
 use channel::Channel;
 use externs::Externs;
-use g_groups::GCodes;
 use lane::Lane;
-use levels::Frame;
+use levels::{Frame, PartEnds};
 use line::{Line, NextText};
 use macros::Sinumerik;
+use names::Names;
 use programs::{Listed, Units};
 use state::State;
 use vars::Vars;
-use vocabulary::Meaning;
 use words::Words;
 
 pub(crate) use control_folders::FOLDERS;
@@ -218,9 +215,7 @@ type Core<'a> = run::Core<'a, Sinumerik>;
 struct Run<'a> {
     channel: Channel<'a>,
     vars: Vars,
-    meanings: Vec<Option<Meaning>>,
-    vocabulary: &'static FxHashMap<&'static str, Meaning>,
-    gcodes: GCodes,
+    names: Names,
     units: Units,
     definitions_read: bool,
     externs: Externs,
@@ -242,9 +237,7 @@ impl<'a> Run<'a> {
         Run {
             channel: Channel::new(job, out),
             vars,
-            meanings: Vec::new(),
-            vocabulary: dictionary::words(),
-            gcodes: GCodes::new(),
+            names: Names::new(),
             units: Units::default(),
             definitions_read: false,
             externs: Externs::default(),
@@ -305,7 +298,16 @@ impl<'a> Interpreter<'a> for Run<'a> {
     #[inline]
     fn level_ends(&mut self) -> bool {
         let at = self.channel.core.program().source.cursor.place().at;
-        if self.channel.core.levels.len() > 1 && self.ends_here(at) {
+        if self.channel.core.levels.len() > 1
+            && let Some(part) = self.channel.core.part_ends(at)
+        {
+            match (part, &mut self.channel.capture) {
+                (PartEnds::Program, _) => self.leave_program(),
+                (PartEnds::Section { over: true }, Some(capture)) => {
+                    capture.level_ended(self.channel.core.levels.len())
+                }
+                (PartEnds::Section { .. }, _) => {}
+            }
             self.channel.lane = Lane::Closed;
             return true;
         }
@@ -345,8 +347,14 @@ impl Run<'_> {
                 let _ = self.channel.stored_record(comment);
             }
         }
-        if block.stmt == Stmt::Empty || self.channel.iso && !self.iso_ends(block) {
+        if block.stmt == Stmt::Empty {
             return;
+        }
+        if self.channel.iso {
+            self.channel.iso = !ends_iso(block);
+            if self.channel.iso {
+                return;
+            }
         }
         if self.channel.st.stored.is_some() {
             self.channel.st.stored_block_begins(&self.channel.core);
@@ -361,59 +369,30 @@ impl Run<'_> {
         }
     }
 
-    /// G290 ends the ISO dialect; other words of it mean nothing here.
-    fn iso_ends(&mut self, block: &Block) -> bool {
-        let ends = |word: &Word| {
-            word.target == Target::Letter(b'G') && matches!(word.value, Value::Literal { value: 290.0, .. })
-        };
-        self.channel.iso = !block.words.iter().any(ends) && block.stmt != Stmt::Header;
-        !self.channel.iso
-    }
-
     fn statement(&mut self, line: Line<'_>) -> Outcome {
-        let (block, text) = (line.block, line.text);
-        let core = &mut self.channel.core;
+        let block = line.block;
         match block.stmt {
-            Stmt::Empty | Stmt::Redef(_) => return Ok(()),
             Stmt::Words => return self.words_block(line),
-            Stmt::Header => {
-                let Some(ends) = self.units.header(core)? else { return Ok(()) };
-                self.end_of_program_text();
-                if ends.blocks_behind {
-                    let fault = codes::S2013::blocks_stand_behind_that_closes_program();
-                    return self.channel.core.refuse(Where::Block, fault);
-                }
-                return Ok(());
-            }
-            // A declaration that cannot be read is followed by others.
-            Stmt::Bad if declares(block.span.of(text)) => return Err(Reported),
-            Stmt::Bad => {
-                core.begins_executing();
-                // Without the head of a loop or branch nobody knows where the program goes on.
-                if scan(text, &mut core.symbols).structure.is_some() {
-                    core.stop_run();
-                }
-                self.channel.lose_all();
-                return Err(Reported);
-            }
-            Stmt::Def { kind, length, global } => return self.def_block(kind, length, global, line),
-            Stmt::Proc(_) => return self.proc_block(line),
-            Stmt::Extern(name) => return self.externs.declare(core, name, block),
-            Stmt::Define(span) => {
-                levels::program(&mut core.levels).declares = true;
-                return self.define_macro(span.of(text), span);
-            }
+            Stmt::Empty
+            | Stmt::Redef(_)
+            | Stmt::Header
+            | Stmt::Bad
+            | Stmt::Def { .. }
+            | Stmt::Proc(_)
+            | Stmt::Extern(_)
+            | Stmt::Define(_) => return self.declaration(line),
             _ => {}
         }
+        let core = &mut self.channel.core;
         core.begins_executing();
         match block.stmt {
-            Stmt::IfJump => self.if_jumps(line),
+            Stmt::IfJump => self.jump_by_arms(None, line),
             Stmt::Goto(jump) => self.jump(jump, line),
             Stmt::GotoStart => {
                 core.say_once(block.span, codes::S8049::gotos_is_left_out());
                 Ok(())
             }
-            Stmt::Case(formula) => self.case_block(formula, line),
+            Stmt::Case(formula) => self.jump_by_arms(Some(formula), line),
             Stmt::Repeat { from, to, times } => {
                 let (from, stop) = self.units.section(core, from, to, block.span)?;
                 self.repeat(from, stop, times, line)
@@ -436,12 +415,48 @@ impl Run<'_> {
         }
     }
 
+    /// Heads of programs, declarations, and what cannot be read.
+    fn declaration(&mut self, line: Line<'_>) -> Outcome {
+        let (block, text) = (line.block, line.text);
+        let core = &mut self.channel.core;
+        match block.stmt {
+            Stmt::Header => {
+                let Some(ends) = self.units.header(core)? else { return Ok(()) };
+                self.end_of_program_text();
+                if ends.blocks_behind {
+                    let fault = codes::S2013::blocks_stand_behind_that_closes_program();
+                    return self.channel.core.refuse(Where::Block, fault);
+                }
+                Ok(())
+            }
+            // A declaration that cannot be read is followed by others.
+            Stmt::Bad if declares(block.span.of(text)) => Err(Reported),
+            Stmt::Bad => {
+                core.begins_executing();
+                // Without the head of a loop or branch nobody knows where the program goes on.
+                if scan(text, &mut core.symbols).structure.is_some() {
+                    core.stop_run();
+                }
+                self.channel.lose_all();
+                Err(Reported)
+            }
+            Stmt::Def { kind, length, global } => self.def_block(kind, length, global, line),
+            Stmt::Proc(_) => self.proc_block(line),
+            Stmt::Extern(name) => self.externs.declare(core, name, block),
+            Stmt::Define(span) => {
+                levels::program(&mut core.levels).declares = true;
+                self.names.define_macro(span.of(text), span, &self.vars, &mut self.channel)
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn words_block(&mut self, line: Line<'_>) -> Outcome {
         let mut words = self.words.take().unwrap_or_else(|| Box::new(Words::new()));
         words.clear();
         let result = self.block_of_words(&mut words, line).and_then(|text| self.execute_next(text));
         if result.is_err() {
-            self.lose_block(&words, line.block);
+            self.channel.lose_block(&mut self.names, &words, line.block);
         }
         self.words = Some(words);
         result
@@ -450,38 +465,41 @@ impl Run<'_> {
     /// Executes a text as a block: EXECSTRING, a block with macros, or what stands for a program.
     fn execute_next(&mut self, text: Option<NextText>) -> Outcome {
         let Some(NextText { text, span }) = text else { return Ok(()) };
-        if self.depth >= MOST_TEXTS {
-            self.channel.core.stop_run();
-            return self.channel.core.refuse(span, codes::P4003::texts_that_execute_texts_are_nested_too());
-        }
-        self.depth += 1;
-        let result = self.execute_text(&text, span);
-        self.depth -= 1;
-        result
-    }
-
-    fn execute_text(&mut self, text: &[u8], span: Span) -> Outcome {
         let core = &mut self.channel.core;
+        if self.depth >= MOST_TEXTS {
+            core.stop_run();
+            return core.refuse(span, codes::P4003::texts_that_execute_texts_are_nested_too());
+        }
         let loc = core.loc(span);
         core.budget.text(text.len());
-        let text = core.language.expanded(&core.symbols, text).unwrap_or_else(|| text.to_vec());
+        let text = core.language.expanded(&core.symbols, &text).unwrap_or(text);
         let mut block = Block::default();
         parse_block(&text, &mut block, &mut core.symbols, &mut core.problems);
         core.here.rewritten = true;
         core.here.origin.loc = loc;
         core.report_problems();
         let line = Line { block: &block, text: &text };
-        match block.stmt {
+        self.depth += 1;
+        let result = match block.stmt {
             Stmt::Words => self.words_block(line),
             Stmt::Empty => Ok(()),
             Stmt::Bad => Err(Reported),
             Stmt::Call(form) => self.call_form(form, line).and_then(|text| self.execute_next(text)),
             // The program goes on at the target, as behind a jump that stands there.
-            Stmt::IfJump => self.if_jumps(line),
+            Stmt::IfJump => self.jump_by_arms(None, line),
             Stmt::Goto(jump) => self.jump(jump, line),
             _ => core.refuse(span, codes::S2013::control_structure_or_declaration_cannot_be_executed()),
-        }
+        };
+        self.depth -= 1;
+        result
     }
+}
+
+/// G290 ends the ISO dialect, and so does the next program; other words of it mean nothing here.
+fn ends_iso(block: &Block) -> bool {
+    let ends =
+        |word: &Word| word.target == Target::Letter(b'G') && matches!(word.value, Value::Literal { value: 290.0, .. });
+    block.stmt == Stmt::Header || block.words.iter().any(ends)
 }
 
 /// Does a statement that cannot be read begin like a declaration?

@@ -10,6 +10,7 @@ use crate::parser::sinumerik::ast::Formula;
 use crate::text::Span;
 
 use super::beside_path::Beside;
+use super::cycles::Work;
 use super::line::{Line, NextText};
 use super::stand_in::NameOfCall;
 use super::vocabulary::{Meaning, Procedure};
@@ -72,7 +73,11 @@ impl Run<'_> {
                 return self.channel.core.refuse(call.span, call_not_alone());
             }
             self.channel.core.begins_executing();
-            return self.coupling(beside, call, line).map(|()| Left::Nothing);
+            let result = self.coupling(beside, call, line);
+            if result.is_err() {
+                self.channel.lose_all();
+            }
+            return result.map(|()| Left::Nothing);
         }
         if let Meaning::Procedure(procedure) = call.meaning {
             w.calls.passes = passes;
@@ -110,7 +115,7 @@ impl Run<'_> {
         if w.has_other() {
             // Words beside the name of a program; of an unknown word most often.
             let own = self.units.own_program(core, &name);
-            let fault = if own { call_not_alone() } else { unknown_word(&name, self.vocabulary) };
+            let fault = if own { call_not_alone() } else { unknown_word(&name, self.names.vocabulary) };
             return core.refuse(call.span, fault);
         }
         if let Some(fault) = no_name_of_program(&name, call.meaning)
@@ -150,8 +155,16 @@ impl Run<'_> {
         w: &mut Words,
         line: Line<'_>,
     ) -> Outcome<Option<NextText>> {
-        let name = self.channel.core.symbols.name(call.name).to_owned();
-        if let Some(result) = self.machining_cycle(&name, call, line) {
+        let core = &mut self.channel.core;
+        let name = core.symbols.name(call.name).to_owned();
+        let row = cycles::find(&name).filter(|row| !matches!(row.work, Work::Nothing));
+        if let Some(row) = row.filter(|_| !self.units.own_program(core, &name)) {
+            let given = self.given_of(row, call.args, call.span, line);
+            let result = given.and_then(|given| self.run_cycle(row, &given));
+            if result.is_err() {
+                self.channel.st.position.lose(AxisSet::ALL);
+                self.channel.lost();
+            }
             if w.has_other() {
                 return self.channel.core.refuse(call.span, call_not_alone());
             }

@@ -7,12 +7,13 @@ use crate::parser::sinumerik::ast::{Args, Base, Formula, Target, Value, Word};
 use crate::parser::symbols::Symbol;
 
 use super::beside_path::Beside;
+use super::given::spindle;
 use super::line::Line;
 use super::measuring_data;
 use super::probe_state;
 use super::system::system_key;
-use super::vocabulary::{Address, Indexed, Meaning, Procedure, Refusal};
-use super::words::{CallWord, Words};
+use super::vocabulary::{Address, Indexed, Meaning, Procedure};
+use super::words::{CallWord, Mode, Words};
 use super::{Outcome, Reported, Run};
 
 /// Does the block set an interrupt? The program it names is not called here.
@@ -20,35 +21,53 @@ fn interrupts(words: &Words) -> bool {
     words.calls.word.is_some_and(|call| call.meaning == Meaning::Procedure(Procedure::Interrupt))
 }
 
+/// Does the address take an axis in brackets, and a value?
+fn takes(indexed: Indexed, value: Value) -> [bool; 2] {
+    match indexed {
+        Indexed::Ax | Indexed::Pos | Indexed::Fa => [true, true],
+        Indexed::Override => [false, true],
+        Indexed::Dynamics => [false, !matches!(value, Value::None)],
+        Indexed::Polynomial => [false, false],
+        Indexed::DiameterOn
+        | Indexed::Diameter90
+        | Indexed::DiameterOff
+        | Indexed::DiameterChannel
+        | Indexed::Posa
+        | Indexed::CutAxis => [true, false],
+    }
+}
+
 impl Run<'_> {
     /// Sorts the words of the block.
     pub(super) fn sort_words(&mut self, words: &mut Words, line: Line<'_>) -> Outcome {
         for word in &line.block.words {
-            let assigned = self.sort_word(words, word, line)?;
+            // Is it an assignment?
+            let assigned = match word.target {
+                Target::Letter(letter) => {
+                    let is_variable = matches!(word.value, Value::Formula(_))
+                        && self.vars.letter(letter, &self.channel.core.symbols).is_some();
+                    if is_variable {
+                        self.assign_word(word, line)?;
+                    } else {
+                        self.letter_word(words, letter, word, line)?;
+                    }
+                    is_variable
+                }
+                Target::Numbered(letter, number, name) => {
+                    self.numbered_word(words, letter, number, name, word, line)?
+                }
+                Target::Name(name) => self.name_word(words, name, word, line)?,
+                Target::System(_) => {
+                    self.assign_word(word, line)?;
+                    true
+                }
+                Target::Indexed(base, args) => self.indexed_word(words, base, args, word, line)?,
+            };
             words.note(assigned, word.span);
         }
         match words.mixed_assignment() {
             Some(assigned) => self.channel.core.refuse(assigned, codes::S2014::assignment_stands_beside_other_words()),
             None => Ok(()),
-        }
-    }
-
-    /// True for an assignment.
-    #[inline]
-    fn sort_word(&mut self, words: &mut Words, word: &Word, line: Line<'_>) -> Outcome<bool> {
-        match word.target {
-            Target::Letter(letter) => {
-                if matches!(word.value, Value::Formula(_))
-                    && self.vars.letter(letter, &self.channel.core.symbols).is_some()
-                {
-                    return self.assign_word(word, line).map(|()| true);
-                }
-                self.letter_word(words, letter, word, line).map(|()| false)
-            }
-            Target::Numbered(letter, number, name) => self.numbered_word(words, letter, number, name, word, line),
-            Target::Name(name) => self.name_word(words, name, word, line),
-            Target::System(_) => self.assign_word(word, line).map(|()| true),
-            Target::Indexed(base, args) => self.indexed_word(words, base, args, word, line),
         }
     }
 
@@ -60,7 +79,7 @@ impl Run<'_> {
             return self.tool_word(words, formula, word.span, line);
         }
         let given = self.given(word, line)?;
-        if b"GSPHL".contains(&letter) {
+        if given.mode != Mode::Plain && b"GSPHL".contains(&letter) {
             self.channel.core.accept(given.span, given.no_modifier())?;
         }
         if letter == b'R' {
@@ -68,7 +87,7 @@ impl Run<'_> {
         }
         match self.channel.axis_names.letter(letter) {
             Some(named) => words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given),
-            None => words.set_letter(&self.channel.core, &self.gcodes, letter, word, given),
+            None => words.set_letter(&self.channel.core, &self.names.gcodes, letter, word, given),
         }
     }
 
@@ -85,7 +104,7 @@ impl Run<'_> {
         if letter == b'R' || self.vars.find(name).is_some() {
             return self.assign_word(word, line).map(|()| true);
         }
-        match (self.meaning(name), letter) {
+        match (self.names.meaning(name, &self.channel), letter) {
             (Meaning::Address(address), _) => {
                 let given = self.given(word, line)?;
                 words.set_address(&self.channel.core, address, given)?;
@@ -107,7 +126,7 @@ impl Run<'_> {
                 words.set_numbered(&self.channel.core, letter, number, given)?;
             }
             _ => {
-                let fault = self.misused_word(name);
+                let fault = self.names.misused(name, &self.vars, &self.channel);
                 return self.channel.core.refuse(word.span, fault);
             }
         }
@@ -122,7 +141,7 @@ impl Run<'_> {
             Value::Call(args) => Some(args),
             _ => None,
         };
-        let meaning = self.meaning(name);
+        let meaning = self.names.meaning(name, &self.channel);
         let core = &self.channel.core;
         match (meaning, args) {
             (Meaning::Code(code), None) => words.add_code(core, code, word.span)?,
@@ -163,7 +182,7 @@ impl Run<'_> {
         if self.vars.find(name).is_some() {
             return self.assign_word(word, line).map(|()| true);
         }
-        match self.meaning(name) {
+        match self.names.meaning(name, &self.channel) {
             Meaning::Address(Address::Prio) if interrupts(words) => {
                 let given = self.given(word, line)?;
                 if !(1.0..=128.0).contains(&given.value) {
@@ -185,18 +204,8 @@ impl Run<'_> {
                 words.add_axis(&self.channel.core, &mut self.channel.axis_names, named, given)?;
             }
             meaning => {
-                if self.beside_word(words, meaning, name, None, word, line)? {
-                    return Ok(false);
-                }
-                if let Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) = meaning {
-                    let own = self.channel.core.symbols.name(name);
-                    let fault = codes::P9010::is_not_supported_so_replace(&own, &what);
-                    return self.channel.core.refuse(word.span, fault);
-                }
-                if self.definitions_known() {
-                    return self.measuring_word(name, None, word, line);
-                }
-                return self.name_word(words, name, word, line);
+                let other = self.other_word(words, (name, meaning), None, word, line)?;
+                return other.map_or_else(|| self.name_word(words, name, word, line), Ok);
             }
         }
         Ok(false)
@@ -215,16 +224,31 @@ impl Run<'_> {
             Base::Letter(letter)
                 if letter != b'R' && self.vars.letter(letter, &self.channel.core.symbols).is_none() =>
             {
-                return self.indexed_letter(words, letter, args, word, line).map(|()| false);
+                // `S[2]=`, `M[1]=`, `G[8]=`, `H[1]=`
+                if !matches!(letter, b'S' | b'M' | b'H' | b'G') {
+                    return self.channel.core.refuse(word.span, codes::P1001::takes_no_index(&(letter as char)));
+                }
+                let index = self.index_number(args, line)?;
+                if matches!(letter, b'S' | b'M') {
+                    self.channel.core.accept(line.block.span, spindle(index))?;
+                }
+                let given = self.given(word, line)?;
+                return words.set_indexed(&self.channel.core, letter, index, given).map(|()| false);
             }
             Base::Name(_) | Base::Letter(_) | Base::System(_) => {
                 return self.assign_word(word, line).map(|()| true);
             }
         };
-        match self.meaning(name) {
-            Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, line)?,
+        match self.names.meaning(name, &self.channel) {
+            Meaning::Indexed(indexed) => {
+                let [axis, value] = takes(indexed, word.value);
+                let named = if axis { Some(self.axis_index(args, line)?) } else { None };
+                let given = if value { Some(self.given(word, line)?) } else { None };
+                self.channel.indexed_address(words, (indexed, word.span), named, given)?;
+            }
             Meaning::Address(address @ (Address::Lims | Address::Spos | Address::Sposa)) => {
-                let spindle = self.spindle_index(args, line)?;
+                let index = self.index_number(args, line)?;
+                let spindle = self.channel.core.accept(line.block.span, spindle(index))?;
                 let given = self.given(word, line)?;
                 self.channel.address_of_spindle(words, address, spindle, given)?;
             }
@@ -237,34 +261,26 @@ impl Run<'_> {
                 words.set_address(&self.channel.core, address, given)?;
             }
             meaning => {
-                if self.beside_word(words, meaning, name, Some(args), word, line)? {
-                    return Ok(false);
-                }
-                if self.definitions_known() {
-                    return self.measuring_word(name, Some(args), word, line);
-                }
-                return self.indexed_word(words, base, args, word, line);
+                let other = self.other_word(words, (name, meaning), Some(args), word, line)?;
+                return other.map_or_else(|| self.indexed_word(words, base, args, word, line), Ok);
             }
         }
         Ok(false)
     }
 
-    /// Words that measure, with or without their axis, and words of oscillation; false for any other word.
-    fn beside_word(
+    /// Words that measure, with or without their axis, words of oscillation, and data of the measuring cycles: true for an assignment.
+    /// `None` where the word is to be looked at again: the definition files were read for it.
+    fn other_word(
         &mut self,
         words: &mut Words,
-        meaning: Meaning,
-        name: Symbol,
+        (name, meaning): (Symbol, Meaning),
         args: Option<Args>,
         word: &Word,
         line: Line<'_>,
-    ) -> Outcome<bool> {
-        if !matches!(meaning, Meaning::Procedure(Procedure::Refused(_)) | Meaning::Known(_)) {
-            return Ok(false);
-        }
-        let own = self.channel.core.symbols.name(name);
-        let probe = probe_state::word(own, word.span).filter(|_| matches!(meaning, Meaning::Procedure(_)));
-        if let Some(probe) = probe {
+    ) -> Outcome<Option<bool>> {
+        let own = self.channel.core.symbols.name(name).to_owned();
+        let refused = matches!(meaning, Meaning::Procedure(Procedure::Refused(_)));
+        if let Some(probe) = probe_state::word(&own, word.span).filter(|_| refused) {
             if let Some(args) = args {
                 self.axis_index(args, line)?;
             }
@@ -272,24 +288,25 @@ impl Run<'_> {
                 self.eval(formula, line)?;
             }
             words.probe = Some(probe);
-            return Ok(true);
+            return Ok(Some(false));
         }
-        if Beside::find(own).is_none() {
-            return Ok(false);
+        if (refused || matches!(meaning, Meaning::Known(_))) && Beside::find(&own).is_some() {
+            let result = self.oscillation_word(&own, word, line);
+            if result.is_err() {
+                self.channel.lose_all();
+            }
+            return result.map(|()| Some(false));
         }
-        let own = own.to_owned();
-        self.oscillation_word(&own, word, line).map(|()| true)
-    }
-
-    /// `_MVAR=100`, `_SETV[0]=10`: what a measuring cycle is told, kept for the one that follows where measuring is left out; any
-    /// other name is not known.
-    fn measuring_word(&mut self, name: Symbol, args: Option<Args>, word: &Word, line: Line<'_>) -> Outcome<bool> {
-        let core = &self.channel.core;
-        let own = core.symbols.name(name).to_owned();
-        let kept = measuring_data::find(&own).is_some() && core.job.settings.control.klartext_choices.probing_left_out;
+        let without_files = refused && args.is_none();
+        if !without_files && !self.definitions_known() {
+            return Ok(None);
+        }
+        // `_MVAR=100`, `_SETV[0]=10`: kept for the cycle that follows where measuring is left out; any other name is not known.
+        let left_out = self.channel.core.job.settings.control.klartext_choices.probing_left_out;
+        let kept = left_out && !refused && measuring_data::find(&own).is_some();
         let indices = if kept { self.values(line.arguments_of(args), line)? } else { Vec::new() };
         let (true, Value::Formula(formula)) = (kept, word.value) else {
-            let fault = self.misused_word(name);
+            let fault = self.names.misused(name, &self.vars, &self.channel);
             return self.channel.core.refuse(word.span, fault);
         };
         let list = self.list_of(formula, line)?.is_some();
@@ -300,37 +317,6 @@ impl Run<'_> {
             None => self.channel.st.system.forget(&key),
         }
         self.channel.core.say_once(word.span, codes::S8168::arguments_of_measuring_cycles());
-        Ok(true)
-    }
-
-    /// `S[2]=`, `M[1]=`, `G[8]=`, `H[1]=`
-    fn indexed_letter(&mut self, words: &mut Words, letter: u8, args: Args, word: &Word, line: Line<'_>) -> Outcome {
-        let index = match letter {
-            b'S' | b'M' => i32::from(self.spindle_index(args, line)?),
-            b'H' | b'G' => self.index_number(args, line)?,
-            _ => return self.channel.core.refuse(word.span, codes::P1001::takes_no_index(&(letter as char))),
-        };
-        let given = self.given(word, line)?;
-        words.set_indexed(&self.channel.core, letter, index, given)
-    }
-
-    fn indexed_address(
-        &mut self,
-        words: &mut Words,
-        indexed: Indexed,
-        args: Args,
-        word: &Word,
-        line: Line<'_>,
-    ) -> Outcome {
-        let named = match indexed {
-            Indexed::Override | Indexed::Dynamics | Indexed::Polynomial => None,
-            _ => Some(self.axis_index(args, line)?),
-        };
-        let given = match indexed {
-            Indexed::Ax | Indexed::Pos | Indexed::Fa | Indexed::Override => Some(self.given(word, line)?),
-            Indexed::Dynamics if !matches!(word.value, Value::None) => Some(self.given(word, line)?),
-            _ => None,
-        };
-        self.channel.indexed_address(words, (indexed, word.span), named, given)
+        Ok(Some(true))
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::diag::{Answer, Help, codes};
 use crate::ir::Side;
-use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle};
+use crate::machine::settings::Leaves;
+use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
 use crate::sema::common::hidden::By;
 use crate::text::Span;
 
@@ -39,6 +40,29 @@ impl Channel<'_> {
         }));
         self.left.last = Some(Box::new((name.to_owned(), loc)));
         (!words.is_empty()).then(|| words.join(" ").into_bytes())
+    }
+
+    /// What stands for a program behind MCALL: only one that does nothing can, after each move.
+    pub(super) fn modal_stand_in(
+        &mut self,
+        name: &str,
+        stand_in: &StandIn,
+        span: Span,
+        arguments: &[Argument],
+    ) -> Outcome {
+        self.st.modal_call.end();
+        if matches!(stand_in, StandIn::Change(_)) {
+            return self.core.refuse(span, codes::S2043::changes_tool(&name));
+        }
+        let measures = super::cycles::measures(name);
+        if !measures && self.core.job.settings.left_by(name) != Leaves::default() {
+            return self.core.refuse(span, codes::S2043::mcall_calls_after_each_move(&name));
+        }
+        self.leave_call_out(name, span, arguments)?;
+        if !measures {
+            self.leave_technology(name, span);
+        }
+        Ok(())
     }
 
     /// `name` does nothing.

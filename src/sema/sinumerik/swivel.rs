@@ -105,8 +105,9 @@ impl Channel<'_> {
     }
 
     /// `CYCLE800()`: back to the plane that is not swivelled.
-    pub(super) fn swivel_off(&mut self) {
+    pub(super) fn swivel_off(&mut self, span: Span) {
         self.shift_workpiece(FrameValue::default());
+        self.core.say_once(span, codes::S8103::words_that_only_steer_control());
     }
 
     fn shift_workpiece(&mut self, shift: FrameValue) {

@@ -9,7 +9,7 @@ use crate::ir::{Function, Side};
 use super::spindle::function_of;
 use super::vocabulary::Address;
 use super::words::{MWord, Words};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, levels};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
@@ -17,6 +17,32 @@ const MOST_M: usize = 5;
 const MOST_S: usize = 3;
 
 impl Channel<'_> {
+    /// An M function that stops the program or ends it. True if it ends a program that another one called.
+    pub(super) fn late_function(&mut self, m: MWord) -> Outcome<bool> {
+        if !matches!(m.number, 0..=2 | 17 | 30) {
+            return Ok(false);
+        }
+        self.tapping_ends();
+        match m.number {
+            0 => self.function(Function::Stop),
+            1 => self.function(Function::OptionalStop),
+            _ => {
+                self.core.end_is_whole();
+                if !levels::in_main(&self.core.levels) {
+                    return Ok(true);
+                }
+                if self.capture.as_ref().is_some_and(|capture| capture.ends_program(&self.core)) {
+                    return Err(super::Reported);
+                }
+                let done = self.pending_must_be_done(m.span);
+                self.function(Function::End { rewind: m.number == 30 });
+                self.core.stop_run();
+                done?;
+            }
+        }
+        Ok(false)
+    }
+
     // F, S, T, D.
 
     pub(super) fn technology(&mut self, w: &mut Words) -> Outcome {

@@ -11,10 +11,10 @@ use crate::sema::value::SetBy;
 use crate::text::Span;
 
 use super::control_folders::DEFINITION_FILES;
-use super::conversions::ASSIGNED;
+use super::conversions::{ASSIGNED, Fill};
 use super::dictionary;
 use super::measuring_data;
-use super::value::{MOST_R, MOST_TEXT, Val, indices};
+use super::value::{MOST_R, MOST_TEXT, Val, indices, r_index};
 use super::vars::{Reference, Slot, Var, Vars};
 use super::vocabulary::Meaning;
 use super::{Channel, Core, Outcome, Reported};
@@ -70,7 +70,84 @@ impl Vars {
         self.value(slot, &indices, channel, span)
     }
 
+    /// Reads the target that counts a loop; `args` are the values in its brackets.
+    pub(super) fn read_target(
+        &mut self,
+        target: Target,
+        args: &[Val],
+        channel: &Channel<'_>,
+        span: Span,
+    ) -> Outcome<Val> {
+        let core = &channel.core;
+        let slot = self.target(target, &core.symbols);
+        match (target, slot) {
+            (Target::Numbered(b'R', n, _), _) => self.r_value(n, channel, span),
+            (Target::Indexed(Base::Letter(b'R'), _), _) => {
+                let n = core.accept(span, r_index(args))?;
+                self.r_value(n, channel, span)
+            }
+            (Target::System(_) | Target::Indexed(Base::Letter(_) | Base::System(_), _), _) => {
+                core.refuse(span, codes::P1001::this_cannot_count_loop())
+            }
+            (Target::Letter(_), None) => core.refuse(span, codes::P1001::address_cannot_count_loop()),
+            (_, None) => core.refuse(span, self.no_target(target, core)),
+            (_, Some(slot)) => {
+                let indices = core.accept(span, indices(args))?;
+                self.value(slot, &indices, channel, span)
+            }
+        }
+    }
+
     // Setting.
+
+    /// Sets a target that is no system variable; `args` are the values in its brackets.
+    pub(super) fn write_target(
+        &mut self,
+        target: Target,
+        args: &[Val],
+        value: &Val,
+        channel: &Channel<'_>,
+        span: Span,
+    ) -> Outcome {
+        let core = &channel.core;
+        if let Target::Numbered(b'R', ..) | Target::Indexed(Base::Letter(b'R'), _) = target {
+            let n = if let Target::Numbered(_, n, _) = target { n } else { core.accept(span, r_index(args))? };
+            let value = core.accept(span, value.as_number())?;
+            return self.set_r_parameter(n, value, core, span);
+        }
+        let Some(slot) = self.target(target, &core.symbols) else {
+            return core.refuse(span, self.no_target(target, core));
+        };
+        if let Target::Indexed(..) = target {
+            return self.write_indexed(slot, args, value, channel, span);
+        }
+        if let (Target::Numbered(_, _, name) | Target::Name(name), Some(number)) = (target, value.number()) {
+            let origin = core.here.origin;
+            core.job.trail.assigns(origin.loc, origin.call, || core.symbols.name(name).to_owned(), number);
+        }
+        self.write(slot, &[], value, core, span)
+    }
+
+    /// The array that a list of values fills.
+    pub(super) fn slot_to_fill(&self, target: Target, core: &Core<'_>) -> Result<Slot, Fault> {
+        self.target(target, &core.symbols).ok_or_else(|| match target {
+            Target::Name(_) | Target::Numbered(..) | Target::Indexed(Base::Name(_), _) => self.no_target(target, core),
+            _ => codes::P2024::list_of_values_fills_array(),
+        })
+    }
+
+    /// Fills an array from the element on that `args` name.
+    pub(super) fn fill(&mut self, slot: Slot, args: &[Val], fill: &Fill, core: &mut Core<'_>, span: Span) -> Outcome {
+        let indices = core.accept(span, indices(args))?;
+        let var = self.get_mut(slot).ok_or(Reported)?;
+        let start = if indices.is_empty() { Some(0) } else { var.offset(&indices) };
+        let Some(start) = start.filter(|_| !var.sizes.is_empty()) else {
+            return core.refuse(span, codes::S2018::array_has_no_such_element());
+        };
+        core.budget.take(var.values.len() as u64 / 16);
+        *var = var.clone().filled(start, fill, core, span)?;
+        Ok(())
+    }
 
     pub(super) fn set_r_parameter(&mut self, n: u32, value: f64, core: &Core<'_>, span: Span) -> Outcome {
         if n > MOST_R {
