@@ -8,6 +8,7 @@ use crate::machine::AxisSet;
 use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::diameter::diameter_of;
 use super::g_groups::{GCode, Group};
 use super::state::Saved;
 use super::words::Words;
@@ -50,7 +51,7 @@ impl Channel<'_> {
             self.modal_code(code, span)?;
         }
         if let Some((indexed, axis, span)) = w.diameter {
-            self.st.select_diameter(&self.core, indexed, axis, span)?;
+            self.st.diameter = diameter_of(&self.core, indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
             self.core.say_once(span, codes::S8002::words_that_only_shape_speed());
@@ -163,7 +164,7 @@ impl Channel<'_> {
             // The work offset of the call comes back, whatever MD 10617 says.
             let _: Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
         } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
-            self.st.restore_offset_frame(&self.core, saved.frames.settable);
+            self.st.frames.restore_settable(&self.core, saved.frames.settable);
         }
         self.st.refresh_frame(&self.core);
         if changed {

@@ -162,22 +162,6 @@ impl State {
         self.frames.set_settable(frame);
         self.refresh_frame(core);
     }
-
-    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
-    pub(super) fn restore_offset_frame(&mut self, core: &Core<'_>, frame: Option<FrameValue>) {
-        let chosen = core.job.settings.control.sinumerik.save_restores_offset;
-        if chosen == Some(true) {
-            self.frames.set_settable(frame);
-        } else if chosen.is_none() {
-            let found = codes::S9018::program_with_save_changed_frame_of_work().at(core.here.origin.loc);
-            core.report(
-                found.help(
-                    Answer::key("control", "md10617")
-                        .help("set `[control] md10617`, or select the offset again in the calling program"),
-                ),
-            );
-        }
-    }
 }
 
 impl Channel<'_> {
@@ -295,6 +279,22 @@ impl Frames {
         let values = datums.offsets.get(&offset_word(number))?;
         let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
         Some(FrameValue::shifted(&values))
+    }
+
+    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
+    pub(super) fn restore_settable(&mut self, core: &Core<'_>, frame: Option<FrameValue>) {
+        let chosen = core.job.settings.control.sinumerik.save_restores_offset;
+        if chosen == Some(true) {
+            self.set_settable(frame);
+        } else if chosen.is_none() {
+            let found = codes::S9018::program_with_save_changed_frame_of_work().at(core.here.origin.loc);
+            core.report(
+                found.help(
+                    Answer::key("control", "md10617")
+                        .help("set `[control] md10617`, or select the offset again in the calling program"),
+                ),
+            );
+        }
     }
 }
 
