@@ -15,10 +15,9 @@ use crate::text::{Loc, Span};
 
 use super::g_groups::GCode;
 use super::offsets::Outer;
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Mode, Words};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 /// By how much a line may run backwards: what rounding makes of none, in mm.
 const BACK: f64 = 1e-9;
@@ -159,12 +158,8 @@ impl State {
         span: Span,
     ) -> Outcome {
         let plane = self.plane();
-        let [first, second, _] = self.roles();
         self.pair.lost = true;
-        if self.position.in_plane(plane).is_none() {
-            let axis = if self.position.get(first).is_none() { first } else { second };
-            return self.unknown_axis(core, axis, span);
-        }
+        self.stands_in(core, plane, span)?;
         match self.offsets.outer() {
             Outer::Machine => {
                 let message = "a contour definition cannot be printed in machine coordinates";
@@ -197,10 +192,7 @@ impl State {
         axes: [Axis; 2],
         span: Span,
     ) -> Outcome<Pos> {
-        let Some(start) = self.position.in_plane(plane) else {
-            let axis = if self.position.get(axes[0]).is_none() { axes[0] } else { axes[1] };
-            return self.unknown_axis(core, axis, span);
-        };
+        let start = self.stands_in(core, plane, span)?;
         let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
         let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
         let Ok(point) = ended(start, &data, None) else {

@@ -13,10 +13,9 @@ use super::corners::corner_of;
 use super::g_functions::Whole;
 use super::g_groups::{GCode, Group};
 use super::names::Names;
-use super::state::State;
 use super::vocabulary::{Address, Meaning};
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 /// Addresses that shape an arc.
 pub(super) const ARC_ADDRESSES: [Address; 9] = [

@@ -18,9 +18,8 @@ use super::lane::Lane;
 use super::left_behind::LeftBehind;
 use super::probe_state::{Measured, Touched};
 use super::soft_approach::Soft;
-use super::state::State;
 use super::synchronized::SetBeside;
-use super::{Core, Outcome, Reported};
+use super::{Core, Outcome, Reported, State};
 
 /// Modal state, and the machine that it is carried out on.
 pub(super) struct Channel<'a> {

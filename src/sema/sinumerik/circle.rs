@@ -12,13 +12,11 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::axis_order::order_of_axes_fits;
 use super::diameter::Diameter;
 use super::g_groups::GCode;
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 /// Points closer than this are the same, in mm: half the last digit of a program.
 pub(super) const SAME: f64 = 5e-5;
@@ -40,7 +38,7 @@ impl Channel<'_> {
         let feed = self.cutting_feed(w)?;
         let turns = w.turns(&self.core)?;
         let mut end = self.st.targets(&self.core, w)?;
-        order_of_axes_fits(&self.core, &self.st, w, plane, &end)?;
+        self.st.order_of_axes_fits(&self.core, w, plane, &end)?;
         let start = self.st.start_in(&self.core, plane, w)?;
         let named = names_plane(w, plane);
         let to = end_in(&end, plane, start);
@@ -185,17 +183,6 @@ impl Words {
 }
 
 impl State {
-    /// Where the arc starts.
-    pub(super) fn start_in(&self, core: &Core<'_>, plane: Plane, w: &Words) -> Outcome<Point2> {
-        if let Some(start) = self.position.in_plane(plane) {
-            return Ok(start);
-        }
-        let (first, second, _) = plane.axes();
-        let missing = [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.position.get(*axis).is_none());
-        let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
-        self.unknown_axis(core, missing.unwrap_or(Axis::X), span)
-    }
-
     fn point_of(
         &self,
         core: &Core<'_>,
@@ -274,6 +261,12 @@ impl State {
             }
         }
         Ok(usual)
+    }
+
+    /// Where the arc starts.
+    pub(super) fn start_in(&self, core: &Core<'_>, plane: Plane, w: &Words) -> Outcome<Point2> {
+        let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
+        self.stands_in(core, plane, span)
     }
 }
 

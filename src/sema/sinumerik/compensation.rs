@@ -14,11 +14,10 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{ActiveCodes, GCode, Group};
-use super::state::State;
 use super::value::whole;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
-use super::{Core, Outcome};
+use super::{Core, Outcome, State};
 
 /// Types of tools from here on have cutting edges that are known by their position.
 const TURNING_TOOLS: f64 = 500.0;

@@ -8,9 +8,9 @@ use crate::ir::compensation::{Alarms, Border, Ends, FeedAt, Inside, Outside, Sea
 use crate::ir::{self, Ask};
 use crate::machine::Settings;
 
+use super::State;
 use super::compensation::Cutter;
 use super::g_groups::{GCode, Group};
-use super::state::State;
 
 /// The control's own alarms.
 const ALARMS: Alarms = Alarms {

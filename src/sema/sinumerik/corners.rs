@@ -8,10 +8,9 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::GCode;
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 /// A corner that is larger than its neighbours.
 const LARGE: Ask = Ask::key("control", "large_corners", LARGE_HELP);

@@ -21,10 +21,9 @@ use super::g_groups::{ActiveCodes, GCode, Group};
 use super::levels::FrameKind;
 use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
-use super::state::State;
 use super::transformation::no_turning_cycle_here;
 use super::vars::Argument;
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 use crate::ir::Side;
 
 impl Channel<'_> {

@@ -4,7 +4,6 @@ use crate::diag::{Answer, codes};
 use crate::machine::Axis;
 use crate::text::Span;
 
-use super::state::State;
 use super::vocabulary::Indexed;
 use super::{Core, Outcome};
 
@@ -16,22 +15,6 @@ pub(super) enum Diameter {
     On,
     /// Absolute values are diameters, increments radii.
     Absolute,
-}
-
-impl State {
-    /// DIAMONA[X] and its kin.
-    pub(super) fn select_diameter(&mut self, core: &Core<'_>, indexed: Indexed, axis: Axis, span: Span) -> Outcome {
-        if !core.is_diameter_axis(axis) {
-            return core.no_diameter_axis(span);
-        }
-        self.diameter = match indexed {
-            Indexed::DiameterOn => Some(Diameter::On),
-            Indexed::Diameter90 => Some(Diameter::Absolute),
-            Indexed::DiameterOff => Some(Diameter::Off),
-            _ => None,
-        };
-        Ok(())
-    }
 }
 
 impl Core<'_> {
@@ -49,4 +32,18 @@ impl Core<'_> {
             codes::S2060::no_diameter_axis_is_configured().answer(Answer::key("machine", "diameter_axis")),
         )
     }
+}
+
+/// DIAMONA[X] and its kin: how the values of the axis count, where not as the codes say.
+/// DIAMONA[X] and its kin.
+pub(super) fn diameter_of(core: &Core<'_>, indexed: Indexed, axis: Axis, span: Span) -> Outcome<Option<Diameter>> {
+    if !core.is_diameter_axis(axis) {
+        return core.no_diameter_axis(span);
+    }
+    Ok(match indexed {
+        Indexed::DiameterOn => Some(Diameter::On),
+        Indexed::Diameter90 => Some(Diameter::Absolute),
+        Indexed::DiameterOff => Some(Diameter::Off),
+        _ => None,
+    })
 }

@@ -1,8 +1,7 @@
 //! What is known of the edge in use: what the program wrote goes before the table, which knows that of D1.
 
+use super::State;
 use crate::machine::{Settings, Tool};
-
-use super::state::State;
 
 impl State {
     pub(super) fn active_tool(&self, settings: &Settings) -> Option<Tool> {

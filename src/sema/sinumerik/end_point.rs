@@ -9,9 +9,8 @@ use crate::text::Span;
 
 use super::diameter::Diameter;
 use super::g_groups::GCode;
-use super::state::State;
 use super::words::{Given, Mode, Words, misfit};
-use super::{Core, Outcome, Reported};
+use super::{Core, Outcome, Reported, State};
 
 impl State {
     /// The programmed end points of all axes of the block.

@@ -379,7 +379,9 @@ impl Run<'_> {
                 };
                 return Ok(Val::Bool(there));
             }
-            FormulaFunction::Program if word == "AXNAME" => return self.channel.axis_of_text(args, span),
+            FormulaFunction::Program if word == "AXNAME" => {
+                return self.channel.axis_names.of_text(&self.channel.core, args, span);
+            }
             FormulaFunction::Program => {
                 let st = &self.channel.st;
                 return self.channel.core.accept(span, frame_function(word, args, st.feed_unit(), st.roles()[2]));

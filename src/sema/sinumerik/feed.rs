@@ -11,10 +11,9 @@ use crate::sema::run::Where;
 use crate::text::{Loc, Span};
 
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 /// What F says.
 #[derive(Debug, Clone)]

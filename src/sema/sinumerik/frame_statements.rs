@@ -10,10 +10,9 @@ use crate::text::Span;
 
 use super::frames::FrameValue;
 use super::g_groups::{ActiveCodes, GCode, Group};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words, misfit, misplaced_modifier};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 impl ActiveCodes {
     /// No frame may change under a contour that is compensated: the elements before and behind would not meet.

@@ -5,9 +5,12 @@
 use crate::diag::{Label, codes};
 use crate::ir::Side;
 use crate::machine::AxisSet;
+use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::diameter::diameter_of;
 use super::g_groups::{GCode, Group};
+use super::state::Saved;
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
 
@@ -48,7 +51,7 @@ impl Channel<'_> {
             self.modal_code(code, span)?;
         }
         if let Some((indexed, axis, span)) = w.diameter {
-            self.st.select_diameter(&self.core, indexed, axis, span)?;
+            self.st.diameter = diameter_of(&self.core, indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
             self.core.say_once(span, codes::S8002::words_that_only_shape_speed());
@@ -147,6 +150,27 @@ impl Channel<'_> {
             _ => return Ok(()),
         };
         self.core.refuse(span, codes::P9011::is_which_cannot_be_printed(&code.word(), &what))
+    }
+
+    /// What SAVE kept of the call comes back.
+    pub(super) fn restore(&mut self, saved: Saved) {
+        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
+        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
+        self.st.codes = saved.codes;
+        self.st.smoothing.restore(saved.smoothing);
+        self.st.frames.set_programmable(saved.frames.programmable);
+        self.st.set_plane(plane);
+        if !self.st.is(offset) {
+            // The work offset of the call comes back, whatever MD 10617 says.
+            let _: Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
+        } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
+            self.st.frames.restore_settable(&self.core, saved.frames.settable);
+        }
+        self.st.refresh_frame(&self.core);
+        if changed {
+            self.st.feed_mode_changed();
+        }
+        self.send_smoothing();
     }
 }
 

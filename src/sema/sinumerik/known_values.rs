@@ -15,11 +15,10 @@ use super::frames::FrameValue;
 use super::g_groups::ActiveCodes;
 use super::offsets::Outer;
 use super::rotary::reduced;
-use super::state::State;
 use super::system::system_key;
 use super::tool_questions::told_of_tool;
 use super::value::{Val, whole};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 impl State {
     /// What the words of the program have set so far.
@@ -76,6 +75,26 @@ impl State {
             _ => None,
         }
     }
+
+    fn known_frame(&self, core: &Core<'_>, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
+        let (frame, component) = match word {
+            "$P_PFRAME" => (Some(self.frames.programmable().clone()), args),
+            // Under G500 the frame of the offset is none, whatever its positions are printed through.
+            "$P_IFRAME" if self.frames.offset() == 0 && self.offsets.outer() != Outer::Basic => {
+                (Some(FrameValue::default()), args)
+            }
+            "$P_IFRAME" => (self.frames.settable().cloned(), args),
+            _ => match core.offset_number(args, span)? {
+                Some((number, rest)) => (self.frames.offset_of(&core.job.settings.datums, number), rest),
+                None => return Ok(None),
+            },
+        };
+        match frame {
+            None => Ok(None),
+            Some(frame) if component.is_empty() => Ok(Some(Val::Frame(Rc::new(frame)))),
+            Some(frame) => core.accept(span, frame.read_component(component, self.feed_unit())).map(Some),
+        }
+    }
 }
 
 impl Channel<'_> {
@@ -93,7 +112,7 @@ impl Channel<'_> {
             }
             "$P_EP" | "$AA_IW" => end_position(&self.core, &self.st, word, args, span),
             "$P_GG" => code_in_force(&self.core, &self.st.codes, args, span).map(Some),
-            "$P_PFRAME" | "$P_IFRAME" | "$P_UIFR" => self.known_frame(word, args, span),
+            "$P_PFRAME" | "$P_IFRAME" | "$P_UIFR" => self.st.known_frame(&self.core, word, args, span),
             _ => Ok(self
                 .st
                 .set_by_words(word, args)
@@ -120,26 +139,6 @@ impl Channel<'_> {
             }
             "$P_STACK" => Some(Val::Int(self.core.levels.len() as i32 - 1)),
             _ => None,
-        }
-    }
-
-    fn known_frame(&self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
-        let (frame, component) = match word {
-            "$P_PFRAME" => (Some(self.st.frames.programmable().clone()), args),
-            // Under G500 the frame of the offset is none, whatever its positions are printed through.
-            "$P_IFRAME" if self.st.frames.offset() == 0 && self.st.offsets.outer() != Outer::Basic => {
-                (Some(FrameValue::default()), args)
-            }
-            "$P_IFRAME" => (self.st.frames.settable().cloned(), args),
-            _ => match self.core.offset_number(args, span)? {
-                Some((number, rest)) => (self.st.frames.offset_of(&self.core.job.settings.datums, number), rest),
-                None => return Ok(None),
-            },
-        };
-        match frame {
-            None => Ok(None),
-            Some(frame) if component.is_empty() => Ok(Some(Val::Frame(Rc::new(frame)))),
-            Some(frame) => self.core.accept(span, frame.read_component(component, self.st.feed_unit())).map(Some),
         }
     }
 }

@@ -9,11 +9,10 @@ use crate::machine::{ChangeCall, Left, Settings, StandIn};
 use crate::sema::run::Where;
 use crate::text::{Loc, Span};
 
-use super::state::State;
 use super::system_variables::SystemVariables;
 use super::value::Val;
 use super::vars::Argument;
-use super::{Core, Outcome};
+use super::{Core, Outcome, State};
 
 /// The change that a call which is left out may have made.
 struct LeftOut {
@@ -147,15 +146,8 @@ impl LeftBehind {
         if settings.left_by(name).rapid.is_some() {
             return usual;
         }
-        let Some(entry) = entry_with(settings, name, "motion = \"G0\"") else { return usual };
-        let text = format!(
-            "{}; or if {name} in line {} leaves G0 active, say so: `[programs] {name} = {entry}`",
-            usual.text, loc.line
-        );
-        let answer = Answer::key("programs", name).one_of(&[entry]);
-        let mut help = Help { text, answers: usual.answers };
-        help.answers.insert(0, answer);
-        help
+        let entries: Vec<String> = entry_with(settings, name, "motion = \"G0\"").into_iter().collect();
+        or_by_call(usual, name, *loc, "leaves G0 active", &entries)
     }
 
     /// What a spindle lacks that does not turn: `usual`, and after a call that stands for a program of the machine, that the call may
@@ -167,16 +159,18 @@ impl LeftBehind {
         }
         let entries: Vec<String> =
             ["M3", "M4"].iter().filter_map(|m| entry_with(settings, name, &format!("spindle = \"{m}\""))).collect();
-        let [entry, ..] = &entries[..] else { return usual };
-        let text = format!(
-            "{}; or if {name} in line {} starts the spindle, say so: `[programs] {name} = {entry}`",
-            usual.text, loc.line
-        );
-        let answer = Answer::key("programs", name).one_of(&entries);
-        let mut help = Help { text, answers: usual.answers };
-        help.answers.insert(0, answer);
-        help
+        or_by_call(usual, name, *loc, "starts the spindle", &entries)
     }
+}
+
+/// `usual`, and that the call may do it, for which one of `entries` says so.
+fn or_by_call(usual: Help, name: &str, call: Loc, does: &str, entries: &[String]) -> Help {
+    let [entry, ..] = entries else { return usual };
+    let text =
+        format!("{}; or if {name} in line {} {does}, say so: `[programs] {name} = {entry}`", usual.text, call.line);
+    let mut help = Help { text, answers: usual.answers };
+    help.answers.insert(0, Answer::key("programs", name).one_of(entries));
+    help
 }
 
 /// The tool that has this name in the table or by `$TC_TP2`.

@@ -8,9 +8,8 @@ use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::state::State;
 use super::words::Words;
-use super::{Core, Outcome};
+use super::{Core, Outcome, State};
 
 /// Length of the tool in the axis along which it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -15,13 +15,12 @@ use crate::text::{Loc, Span};
 use super::block::ARC_ADDRESSES;
 use super::measuring_data;
 use super::probe_state::{Measured, ProbeWord, Touched, hidden_with};
-use super::state::State;
 use super::system_meanings::is_measured;
 use super::system_variables::SystemVariables;
 use super::value::{Val, whole};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 /// What a cycle sets by what it measures.
 enum Sets {
@@ -50,9 +49,7 @@ impl Measured {
             (false, _) => codes::S8167::its_block_moves_no_axis(&name),
         }
         .at(loc);
-        if !core.job.diags.knows(&found) {
-            core.report(found);
-        }
+        core.report_new(found);
         self.note(system, name, loc);
     }
 
@@ -146,12 +143,10 @@ impl Channel<'_> {
         };
         let loc = self.core.loc(span);
         let found = codes::S8167::is_left_out_what_it_measures(&name, &what).at(loc);
-        if !self.core.job.diags.knows(&found) {
-            self.core.report(found.help(
+        self.core.report_new(found.help(
                 "set up on the target what this cycle measures, before the program runs; look at the next rapid move: the target stands \
                  where it stood before the cycle",
             ));
-        }
         self.st.position.forget(AxisSet::ALL);
         self.st.position.hide(AxisSet::ALL, By::Probe, loc);
         let lathe = self.st.machine.lathe;
@@ -201,9 +196,7 @@ impl Channel<'_> {
             codes::S8167::is_left_out_with_its_move(&probe.name, &letters, &stops)
         };
         let found = fault.at(loc);
-        if !self.core.job.diags.knows(&found) {
-            self.core.report(found);
-        }
+        self.core.report_new(found);
         self.st.threads.end_chain();
         self.st.heading = super::tangent::Heading::None;
         let axes = hidden_with(&self.st.ctx.frame, axes);

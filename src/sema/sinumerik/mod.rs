@@ -129,6 +129,7 @@ use line::{Line, NextText};
 use macros::Sinumerik;
 use names::Names;
 use programs::{Listed, Units};
+use state::State;
 use vars::Vars;
 use words::Words;
 

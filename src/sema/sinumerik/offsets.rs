@@ -11,8 +11,7 @@ use crate::sema::run::{OffsetName, Where};
 
 use super::frames::{FrameValue, Frames};
 use super::g_groups::{GCode, Group};
-use super::state::{Saved, State};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 /// What printed positions count from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -163,22 +162,6 @@ impl State {
         self.frames.set_settable(frame);
         self.refresh_frame(core);
     }
-
-    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
-    fn restore_offset_frame(&mut self, core: &Core<'_>, frame: Option<FrameValue>) {
-        let chosen = core.job.settings.control.sinumerik.save_restores_offset;
-        if chosen == Some(true) {
-            self.frames.set_settable(frame);
-        } else if chosen.is_none() {
-            let found = codes::S9018::program_with_save_changed_frame_of_work().at(core.here.origin.loc);
-            core.report(
-                found.help(
-                    Answer::key("control", "md10617")
-                        .help("set `[control] md10617`, or select the offset again in the calling program"),
-                ),
-            );
-        }
-    }
 }
 
 impl Channel<'_> {
@@ -235,27 +218,6 @@ impl Channel<'_> {
             self.core.report(found.help("select the work offset before the first move"));
         }
         Ok(())
-    }
-
-    /// What SAVE kept of the call comes back.
-    pub(super) fn restore(&mut self, saved: Saved) {
-        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
-        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
-        self.st.codes = saved.codes;
-        self.st.smoothing.restore(saved.smoothing);
-        self.st.frames.set_programmable(saved.frames.programmable);
-        self.st.set_plane(plane);
-        if !self.st.is(offset) {
-            // The work offset of the call comes back, whatever MD 10617 says.
-            let _: Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
-        } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
-            self.st.restore_offset_frame(&self.core, saved.frames.settable);
-        }
-        self.st.refresh_frame(&self.core);
-        if changed {
-            self.st.feed_mode_changed();
-        }
-        self.send_smoothing();
     }
 }
 
@@ -317,6 +279,22 @@ impl Frames {
         let values = datums.offsets.get(&offset_word(number))?;
         let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
         Some(FrameValue::shifted(&values))
+    }
+
+    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
+    pub(super) fn restore_settable(&mut self, core: &Core<'_>, frame: Option<FrameValue>) {
+        let chosen = core.job.settings.control.sinumerik.save_restores_offset;
+        if chosen == Some(true) {
+            self.set_settable(frame);
+        } else if chosen.is_none() {
+            let found = codes::S9018::program_with_save_changed_frame_of_work().at(core.here.origin.loc);
+            core.report(
+                found.help(
+                    Answer::key("control", "md10617")
+                        .help("set `[control] md10617`, or select the offset again in the calling program"),
+                ),
+            );
+        }
     }
 }
 

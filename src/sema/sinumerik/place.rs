@@ -6,6 +6,7 @@
 use std::fmt::Display;
 
 use crate::diag::{Fault, codes};
+use crate::geo::{Plane, Point2};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::hidden::By;
@@ -15,8 +16,7 @@ use crate::text::Loc;
 
 use super::machine_place::ToolLength;
 use super::offsets::{Outer, offset_word};
-use super::state::State;
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 impl State {
     /// The machine coordinate of the zero that positions in the frame of the program count from.
@@ -84,6 +84,16 @@ impl State {
         let lathe = self.machine.lathe;
         let axes = if lathe { [Axis::X, Axis::Z].into_iter().collect() } else { AxisSet::of(third) };
         self.position.forget_tip(axes, by, loc);
+    }
+
+    /// Where the tool stands in a plane.
+    pub(super) fn stands_in(&self, core: &Core<'_>, plane: Plane, place: impl Into<Where>) -> Outcome<Point2> {
+        let (first, second, _) = plane.axes();
+        match self.position.in_plane(plane) {
+            Some(at) => Ok(at),
+            None if self.position.get(Axis::ALL[first]).is_none() => self.unknown_axis(core, Axis::ALL[first], place),
+            None => self.unknown_axis(core, Axis::ALL[second], place),
+        }
     }
 }
 

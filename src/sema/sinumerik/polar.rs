@@ -10,10 +10,9 @@ use crate::machine::AxisSet;
 use crate::text::Span;
 
 use super::g_groups::GCode;
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Core, Outcome, Reported};
+use super::{Core, Outcome, Reported, State};
 
 /// Pole, and the polar words that hold on.
 #[derive(Debug, Clone)]
@@ -147,13 +146,7 @@ fn pole_of(core: &Core<'_>, st: &State, code: GCode, span: Span, w: &mut Words) 
             }
             st.polar.pole
         }
-        _ => match st.position.in_plane(plane) {
-            Some(at) => at,
-            None => {
-                let axis = if st.position.get(first).is_none() { first } else { second };
-                return st.unknown_axis(core, axis, span);
-            }
-        },
+        _ => st.stands_in(core, plane, span)?,
     };
     let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
     Ok(if ap.is_some() || rp.is_some() {

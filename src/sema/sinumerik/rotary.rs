@@ -6,9 +6,8 @@ use crate::diag::codes;
 use crate::machine::Axis;
 
 use super::g_groups::GCode;
-use super::state::State;
 use super::words::{Given, Mode};
-use super::{Core, Outcome, Reported};
+use super::{Core, Outcome, Reported, State};
 
 impl State {
     /// The end point of a rotary axis in degrees, unless it is an increment. Those of a modulo axis count on from the last

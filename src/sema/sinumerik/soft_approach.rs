@@ -26,11 +26,10 @@ use crate::sema::run::{Site, Where};
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::tangent::Heading;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words, misplaced_modifier};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 /// Functions and comments between an approach and its contour.
 const MOST_HELD: usize = 256;
@@ -328,11 +327,7 @@ fn approach(
 fn approach_moves(core: &Core<'_>, st: &State, soft: &Soft, end: &Pos, path: &Path) -> Outcome<Vec<SoftMove>> {
     let plane = st.plane();
     let third = st.roles()[2];
-    let Some(at) = st.position.in_plane(plane) else {
-        let [first, second, _] = st.roles();
-        let axis = if st.position.get(first).is_none() { first } else { second };
-        return st.unknown_axis(core, axis, soft.span);
-    };
+    let at = st.stands_in(core, plane, soft.span)?;
     let Some(heading) = direction_at_start(st, end, path) else {
         return core.refuse(soft.span, codes::S2083::direction_behind_is_not_known());
     };
@@ -470,10 +465,7 @@ fn retract(
     if side != Side::None && !ends {
         return core.refuse(span, codes::P9011::leaves_radius_compensation(&code.word()));
     }
-    let Some(at) = st.position.in_plane(plane) else {
-        let axis = if st.position.get(first).is_none() { first } else { second };
-        return st.unknown_axis(core, axis, span);
-    };
+    let at = st.stands_in(core, plane, span)?;
     let Some(heading) = st.heading.direction_at(plane, at) else {
         return core.refuse(span, codes::S2083::direction_in_front_is_not_known());
     };

@@ -11,10 +11,9 @@ use crate::text::Span;
 use super::g_groups::{GCode, Group};
 use super::rotary::reduced;
 use super::spindle_state::{MAIN_SPINDLE, Spindles};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, SWord, Words, misfit};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 /// Highest spindle number that is a spindle.
 const MOST_SPINDLES: u8 = 20;
@@ -298,9 +297,7 @@ impl Core<'_> {
         match limit {
             Some(limit) if limit < speed => {
                 let found = codes::S8032::speed_is_above_limit(&speed, &limit).at(self.loc(span));
-                if !self.job.diags.knows(&found) {
-                    self.report(found);
-                }
+                self.report_new(found);
                 limit
             }
             _ => speed,

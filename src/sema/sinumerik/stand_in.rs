@@ -127,7 +127,7 @@ impl Channel<'_> {
         match edge.filter(|(_, value)| **value != Val::Missing) {
             None => {}
             Some((place, value)) => match value.number() {
-                Some(edge) => self.edge_number(edge, span)?,
+                Some(edge) => self.st.select_edge(&self.core, edge, span)?,
                 None => {
                     return self.core.refuse(span, codes::S2043::argument_of_is_no_d_number(&place, &name));
                 }

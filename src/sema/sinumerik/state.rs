@@ -272,20 +272,16 @@ impl State {
             return;
         };
         if frame != self.ctx.frame {
-            self.warn_of_mirrored_tool_axis(core, &frame);
+            let [_, _, axis] = self.roles();
+            let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
+            if turned(&frame) && !turned(&self.ctx.frame) {
+                let fault = codes::P2030::tool_axis_is_mirrored_2(&axis.letter());
+                core.say_here(fault.help("check that this is meant; most often another axis is"));
+            }
             self.heading = self.heading.across_frames(&self.position, frame.linear() != self.ctx.frame.linear());
             self.position.keep_programmed();
             self.position.through_frame(&self.ctx.frame, &frame);
             self.ctx = Rc::new(Ctx { frame, ..(*self.ctx).clone() });
-        }
-    }
-
-    fn warn_of_mirrored_tool_axis(&mut self, core: &Core<'_>, next: &Frame) {
-        let [_, _, axis] = self.roles();
-        let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
-        if turned(next) && !turned(&self.ctx.frame) {
-            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(core.here.origin.loc);
-            core.report(found.help("check that this is meant; most often another axis is"));
         }
     }
 }

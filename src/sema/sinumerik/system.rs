@@ -2,18 +2,18 @@
 //!
 //! Source: S 4.7 and 5.7 (docs/sources.md).
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Fault, Help, codes};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
+use super::axis_names::AxisNames;
 use super::frames::FrameValue;
 use super::offsets::{Outer, offset_word};
-use super::state::State;
 use super::system_meanings::{is_measured, meaning_of, said_meaning};
 use super::system_variables::SystemVariables;
 use super::tool_questions::tool_is_asked;
 use super::value::Val;
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 impl State {
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
@@ -59,25 +59,72 @@ impl SystemVariables {
     }
 }
 
-impl Channel<'_> {
-    /// What the program and `[tools]` determine goes before a value of `[variables]`.
-    fn says_unused(&self, key: &str, value: &Val, span: Span) {
-        let Some(given) = self.core.job.settings.variables.get(key).copied() else { return };
-        let Some(taken) = value.number().filter(|taken| *taken != given) else { return };
-        self.core.report_once(codes::S8172::of_variables_is_not_used(&key, &given, &taken).at(self.core.loc(span)));
+impl State {
+    /// `$P_PFRAME`, `$P_IFRAME`: the frames in force.
+    fn write_frame(&mut self, core: &Core<'_>, word: &str, args: &[Val], value: &Val, span: Span) -> Outcome {
+        let programmable = word == "$P_PFRAME";
+        let old = if programmable { Some(self.frames.programmable()) } else { self.frames.settable() };
+        let frame = core.accept(span, new_frame(self.feed_unit(), old.cloned().unwrap_or_default(), args, value))?;
+        self.codes.frame_is_free(core, span)?;
+        if programmable {
+            self.frames.set_programmable(frame);
+            self.refresh_frame(core);
+        } else {
+            core.resolved_offset_note(span);
+            self.offsets.resolve(core, &mut self.position, span)?;
+            self.counts_from(core, Outer::Basic, Some(frame));
+        }
+        Ok(())
     }
 
+    /// `$P_UIFR[n]`: a work offset, which counts once it is selected.
+    fn write_offset(&mut self, core: &Core<'_>, args: &[Val], value: &Val, span: Span) -> Outcome {
+        let Some((number, rest)) = core.offset_number(args, span)? else {
+            return core.refuse(span, codes::S2018::number_of_work_offset_is_missing());
+        };
+        let old = match self.frames.offset_of(&core.job.settings.datums, number) {
+            Some(frame) => frame,
+            None if rest.is_empty() => FrameValue::default(),
+            None => {
+                let word = offset_word(number);
+                let fault = codes::P2023::one_component_of_is_set(&word).answer(Answer::key("datums", &word));
+                return core.refuse(span, fault);
+            }
+        };
+        let frame = core.accept(span, new_frame(self.feed_unit(), old, rest, value))?;
+        self.frames.write(number, frame);
+        core.resolved_offset_note(span);
+        Ok(())
+    }
+}
+
+impl AxisNames {
+    /// `AXNAME("X")`
+    pub(super) fn of_text(&mut self, core: &Core<'_>, args: &[Val], span: Span) -> Outcome<Val> {
+        let [Val::Text(text)] = args else {
+            return core.refuse(span, codes::S2021::axname_takes_text());
+        };
+        let name = String::from_utf8_lossy(text).to_ascii_uppercase();
+        let Some(named) = self.find(&name) else {
+            return core.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
+        };
+        self.printed(core, named, span)?;
+        Ok(Val::Axis(named))
+    }
+}
+
+impl Channel<'_> {
     /// Reads `$NAME[args]`.
     pub(super) fn system_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
         let word = self.core.symbols.name(name).to_owned();
         let key = system_key(&word, args);
         self.set_beside.leaves_system(&word, &key, &self.core, span)?;
         if let Some(value) = self.known_value(&word, args, span)? {
-            self.says_unused(&key, &value, span);
+            says_unused(&self.core, &key, &value, span);
             return Ok(value);
         }
         if let Some(value) = self.measured.untouched_value(&self.core, &self.st.system, &word, &key, span)? {
-            self.says_unused(&key, &value, span);
+            says_unused(&self.core, &key, &value, span);
             return Ok(value);
         }
         if let Some(value) = self.st.system.get(&key) {
@@ -108,8 +155,8 @@ impl Channel<'_> {
         let word = self.core.symbols.name(name).to_owned();
         let starts = |prefixes: &[&str]| prefixes.iter().any(|prefix| word.starts_with(prefix));
         match word.as_str() {
-            "$P_PFRAME" | "$P_IFRAME" => self.write_frame(&word, args, &value, span),
-            "$P_UIFR" => self.write_offset(args, &value, span),
+            "$P_PFRAME" | "$P_IFRAME" => self.st.write_frame(&self.core, &word, args, &value, span),
+            "$P_UIFR" => self.st.write_offset(&self.core, args, &value, span),
             _ if starts(&["$SC_", "$SN_"]) => {
                 self.st.system.write_setting(&self.core, &word, system_key(&word, args), value, span)
             }
@@ -139,67 +186,25 @@ impl Channel<'_> {
             _ => self.core.refuse(span, codes::P2023::cannot_be_set_by_compiled_program(&word)),
         }
     }
+}
 
-    /// `$P_PFRAME`, `$P_IFRAME`: the frames in force.
-    fn write_frame(&mut self, word: &str, args: &[Val], value: &Val, span: Span) -> Outcome {
-        let programmable = word == "$P_PFRAME";
-        let old = if programmable { Some(self.st.frames.programmable()) } else { self.st.frames.settable() };
-        let frame = self.new_frame(old.cloned().unwrap_or_default(), args, value, span)?;
-        self.st.codes.frame_is_free(&self.core, span)?;
-        if programmable {
-            self.st.frames.set_programmable(frame);
-            self.st.refresh_frame(&self.core);
-        } else {
-            self.core.resolved_offset_note(span);
-            self.st.offsets.resolve(&self.core, &mut self.st.position, span)?;
-            self.st.counts_from(&self.core, Outer::Basic, Some(frame));
-        }
-        Ok(())
+/// `frame` with the component `args`, or a whole one; lengths count in `unit` mm.
+fn new_frame(unit: f64, mut frame: FrameValue, args: &[Val], value: &Val) -> Result<FrameValue, Fault> {
+    if args.is_empty() {
+        return match value {
+            Val::Frame(frame) => Ok((**frame).clone()),
+            other => Err(codes::P2024::frame_is_needed(&other.what())),
+        };
     }
+    frame.write_component(args, value, unit)?;
+    Ok(frame)
+}
 
-    /// `$P_UIFR[n]`: a work offset, which counts once it is selected.
-    fn write_offset(&mut self, args: &[Val], value: &Val, span: Span) -> Outcome {
-        let Some((number, rest)) = self.core.offset_number(args, span)? else {
-            return self.core.refuse(span, codes::S2018::number_of_work_offset_is_missing());
-        };
-        let old = match self.st.frames.offset_of(&self.core.job.settings.datums, number) {
-            Some(frame) => frame,
-            None if rest.is_empty() => FrameValue::default(),
-            None => {
-                let word = offset_word(number);
-                let fault = codes::P2023::one_component_of_is_set(&word).answer(Answer::key("datums", &word));
-                return self.core.refuse(span, fault);
-            }
-        };
-        let frame = self.new_frame(old, rest, value, span)?;
-        self.st.frames.write(number, frame);
-        self.core.resolved_offset_note(span);
-        Ok(())
-    }
-
-    fn new_frame(&self, mut frame: FrameValue, args: &[Val], value: &Val, span: Span) -> Outcome<FrameValue> {
-        if args.is_empty() {
-            return match value {
-                Val::Frame(frame) => Ok((**frame).clone()),
-                other => self.core.refuse(span, codes::P2024::frame_is_needed(&other.what())),
-            };
-        }
-        self.core.accept(span, frame.write_component(args, value, self.st.feed_unit()))?;
-        Ok(frame)
-    }
-
-    /// `AXNAME("X")`
-    pub(super) fn axis_of_text(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
-        let [Val::Text(text)] = args else {
-            return self.core.refuse(span, codes::S2021::axname_takes_text());
-        };
-        let name = String::from_utf8_lossy(text).to_ascii_uppercase();
-        let Some(named) = self.axis_names.find(&name) else {
-            return self.core.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
-        };
-        self.axis_names.printed(&self.core, named, span)?;
-        Ok(Val::Axis(named))
-    }
+/// What the program and `[tools]` determine goes before a value of `[variables]`.
+fn says_unused(core: &Core<'_>, key: &str, value: &Val, span: Span) {
+    let Some(given) = core.job.settings.variables.get(key).copied() else { return };
+    let Some(taken) = value.number().filter(|taken| *taken != given) else { return };
+    core.report_once(codes::S8172::of_variables_is_not_used(&key, &given, &taken).at(core.loc(span)));
 }
 
 /// `$TC_DP6[1,1]`

@@ -17,10 +17,9 @@ use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
 use super::spindle_state::{MAIN_SPINDLE, Spindles};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{MWord, Words, misfit};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 /// The M function that may end the block in which a tap comes back.
 const COOLANT_OFF: u32 = 9;

@@ -9,7 +9,7 @@ use crate::ir::{Function, Side};
 use super::spindle::function_of;
 use super::vocabulary::Address;
 use super::words::{MWord, Words};
-use super::{Channel, Outcome, levels};
+use super::{Channel, Core, Outcome, levels};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
@@ -67,7 +67,7 @@ impl Channel<'_> {
             if w.m.iter().any(|m| m.number == 6) {
                 w.edge_of_new_tool = Some(d);
             } else {
-                self.edge_number(d.value, d.span)?;
+                self.st.select_edge(&self.core, d.value, d.span)?;
             }
         }
         let shaped = w.get(Address::Offn).is_some() || w.get(Address::Disc).is_some();
@@ -87,18 +87,7 @@ impl Channel<'_> {
         if let Some(angle) = self.st.spindles.position(&self.core, w)? {
             self.stops_at_angle(angle, w, 0);
         }
-        for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr] {
-            if let Some(given) = w.take(address)
-                && given.value != 0.0
-            {
-                return self.core.refuse(given.span, codes::P9013::offset_of_tool_that_program_adds());
-            }
-        }
-        if let Some(given) = w.take(Address::Tcarr)
-            && given.value != 0.0
-        {
-            return self.core.refuse(given.span, codes::P9011::orientable_tool_carriers_cannot_be_printed());
-        }
+        no_other_offset(&self.core, w)?;
         if self.st.path.is_computed() && (!w.codes.is_empty() || shaped) {
             self.st.rules_change(&self.core, w)?;
         }
@@ -116,7 +105,7 @@ impl Channel<'_> {
         if w.m.iter().any(|m| m.number == 6) {
             self.change_tool()?;
             if let Some(d) = w.edge_of_new_tool {
-                self.edge_number(d.value, d.span)?;
+                self.st.select_edge(&self.core, d.value, d.span)?;
             }
         }
         let turning = |m: &&MWord| matches!(m.number, 3..=5);
@@ -216,4 +205,17 @@ impl Channel<'_> {
         }
         Ok(())
     }
+}
+
+/// Offsets and carriers that the output cannot say.
+fn no_other_offset(core: &Core<'_>, w: &mut Words) -> Outcome {
+    for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr, Address::Tcarr] {
+        let Some(given) = w.take(address).filter(|given| given.value != 0.0) else { continue };
+        let fault = match address {
+            Address::Tcarr => codes::P9011::orientable_tool_carriers_cannot_be_printed(),
+            _ => codes::P9013::offset_of_tool_that_program_adds(),
+        };
+        return core.refuse(given.span, fault);
+    }
+    Ok(())
 }

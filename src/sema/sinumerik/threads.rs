@@ -11,10 +11,9 @@ use crate::text::{Loc, Span};
 
 use super::corners::Corners;
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Channel, Core, Outcome, Reported};
+use super::{Channel, Core, Outcome, Reported, State};
 
 /// Start angle of threads without SF= (SD 42000).
 pub(super) const START_ANGLE: &str = "$SC_THREAD_START_ANGLE";

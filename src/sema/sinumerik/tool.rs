@@ -15,7 +15,7 @@ use crate::text::Span;
 use super::compensation::{Cutter, edge_points_to, nose};
 use super::system_variables::SystemVariables;
 use super::words::{Given, Words};
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 /// The tool in use.
 #[derive(Debug, Clone, Copy, Default)]
@@ -153,6 +153,31 @@ fn changes_by_t(settings: &Settings) -> bool {
         .unwrap_or_else(|| settings.machine.kind == MachineKind::Lathe && !by_m && !by_program())
 }
 
+impl State {
+    /// Edge number `d` comes into force.
+    pub(super) fn select_edge(&mut self, core: &Core<'_>, d: f64, span: Span) -> Outcome {
+        if d.fract() != 0.0 || !(0.0..=32_000.0).contains(&d) {
+            return core.refuse(span, codes::S2043::d_is_no_edge_number(&d));
+        }
+        let edge = d as u32;
+        if self.tool.edge.is_some_and(|old| old != edge) {
+            self.forget_tip(core.here.origin.loc, By::Edge);
+        }
+        let changes = self.tool.edge != Some(edge) || self.tool.rewritten;
+        if self.side() != Side::None && !self.compensation.is_starting() && changes {
+            return core.refuse(span, codes::S2080::cutting_edge_changes_while_radius_compensation());
+        }
+        let alike = self.tool.has_length_of_first(core, &self.system, edge, span)?;
+        self.tool.select_edge(edge);
+        if alike {
+            core.say_once(span, codes::S8010::cutting_edges_other_than_d1_are_not());
+        } else if edge > 1 && core.job.diags.first_time(codes::S8254, (self.tool.active, edge)) {
+            core.report(codes::S8254::d_is_not_printed(&edge).at(core.loc(span)));
+        }
+        Ok(())
+    }
+}
+
 impl Channel<'_> {
     pub(super) fn tool_word_given(&mut self, t: Given, w: &mut Words) -> Outcome {
         let number = match w.tool_name.take() {
@@ -219,29 +244,6 @@ impl Channel<'_> {
         // A tool of another length.
         self.st.forget_tip(self.core.here.origin.loc, By::ToolChange);
         self.stand_after_change();
-        Ok(())
-    }
-
-    /// Edge number `d` comes into force.
-    pub(super) fn edge_number(&mut self, d: f64, span: Span) -> Outcome {
-        if d.fract() != 0.0 || !(0.0..=32_000.0).contains(&d) {
-            return self.core.refuse(span, codes::S2043::d_is_no_edge_number(&d));
-        }
-        let edge = d as u32;
-        if self.st.tool.edge.is_some_and(|old| old != edge) {
-            self.st.forget_tip(self.core.here.origin.loc, By::Edge);
-        }
-        let changes = self.st.tool.edge != Some(edge) || self.st.tool.rewritten;
-        if self.st.side() != Side::None && !self.st.compensation.is_starting() && changes {
-            return self.core.refuse(span, codes::S2080::cutting_edge_changes_while_radius_compensation());
-        }
-        let alike = self.st.tool.has_length_of_first(&self.core, &self.st.system, edge, span)?;
-        self.st.tool.select_edge(edge);
-        if alike {
-            self.core.say_once(span, codes::S8010::cutting_edges_other_than_d1_are_not());
-        } else if edge > 1 && self.core.job.diags.first_time(codes::S8254, (self.st.tool.active, edge)) {
-            self.core.report(codes::S8254::d_is_not_printed(&edge).at(self.core.loc(span)));
-        }
         Ok(())
     }
 

@@ -9,8 +9,8 @@ use crate::diag::{Answer, Fault, Help, codes};
 use crate::machine::tools::{ToolKey, Tools};
 use crate::machine::{Settings, Tool};
 
+use super::State;
 use super::machine_place::ToolLength;
-use super::state::State;
 use super::tool::ToolInUse;
 use super::value::{Val, whole};
 

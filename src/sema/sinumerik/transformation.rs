@@ -10,9 +10,8 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::diameter::Diameter;
-use super::state::State;
 use super::vocabulary::OnSurface;
-use super::{Channel, Core, Outcome};
+use super::{Channel, Core, Outcome, State};
 
 /// The tool passes the axis of rotation.
 const AT_POLE: Ask = Ask::key("cycles", "transmit", AT_POLE_HELP).one_of(&["\"cartesian\""]);

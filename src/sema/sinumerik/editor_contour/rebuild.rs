@@ -11,9 +11,8 @@ use crate::sema::run::Where;
 use super::super::corners::modal_corner_feed;
 use super::super::diameter::Diameter;
 use super::super::g_groups::GCode;
-use super::super::state::State;
 use super::super::words::Words;
-use super::super::{Channel, Core, Outcome};
+use super::super::{Channel, Core, Outcome, State};
 use super::made::{Contour, ContourBlock, CornerWord};
 use super::{Stored, TOLERANCE};
 
