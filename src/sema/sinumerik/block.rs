@@ -29,17 +29,17 @@ pub(super) const ARC_ADDRESSES: [Address; 9] = [
     Address::Turn,
 ];
 
-/// What is to be done behind the words of a block: M functions, and what runs modally.
-pub(super) struct Behind {
+/// What is to be done after the words of a block: its M functions, and what runs modally.
+pub(super) struct AfterBlock {
     /// Axes moved along a path.
     pub moved: bool,
-    /// A control may run what is modal behind it, though no axis is named.
+    /// A control may run what is modal after it, though no axis is named.
     pub triggers: bool,
 }
 
 impl Channel<'_> {
-    /// Carries out the words of a block that holds no call; `None` where nothing acts behind it.
-    pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<Behind>> {
+    /// Carries out the words of a block that holds no call; `None` where nothing acts after it.
+    pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<AfterBlock>> {
         if self.st.taps.are_open() {
             self.beside_taps(w);
         }
@@ -60,7 +60,7 @@ impl Channel<'_> {
         match self.codes_of_block(w)? {
             Whole::No => {}
             Whole::Done => return Ok(None),
-            Whole::Nonmodal { moved } => return Ok(Some(Behind { moved, triggers: false })),
+            Whole::Nonmodal { moved } => return Ok(Some(AfterBlock { moved, triggers: false })),
         }
         if self.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
             self.only_tapping(w)?;
@@ -78,7 +78,7 @@ impl Channel<'_> {
             return self.core.refuse(span, fault);
         }
         self.left_out_under_modal_call(w)?;
-        Ok(Some(Behind { moved, triggers }))
+        Ok(Some(AfterBlock { moved, triggers }))
     }
 
     /// After an error nobody knows where the axes of the block are.

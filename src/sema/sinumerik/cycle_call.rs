@@ -55,7 +55,7 @@ impl Channel<'_> {
         if matches!(row.work, Work::Hole(_)) { Ok(()) } else { self.asked(given, |call| call.meets_row(row)) }
     }
 
-    /// Behind a block that moved: drills the modal cycle, or hands out the modal program, unless it is the one that moved.
+    /// After a block that moved: drills the modal cycle, or hands out the modal program, unless it is the one that moved.
     pub(super) fn runs_modally(&mut self) -> Outcome<Option<(usize, Vec<Argument>)>> {
         let is_modal = |kind: &FrameKind| matches!(kind, FrameKind::Program { modal: true, .. });
         let inside = self.core.levels.iter().any(|level| is_modal(&level.frame.kind));
