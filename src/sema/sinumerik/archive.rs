@@ -12,7 +12,7 @@ use super::{Core, Outcome, levels};
 /// A program of an archive ends at the `%` line of the next one.
 pub(super) struct ProgramEnds {
     /// Blocks follow a bare `%`.
-    pub blocks_behind: bool,
+    pub blocks_follow: bool,
 }
 
 impl Units {
@@ -31,8 +31,8 @@ impl Units {
             return core.refuse(Where::Block, codes::S2013::blocks_stand_in_front_of_first_program());
         }
         if called || executed {
-            let blocks_behind = blocks_behind_the_end(&core.job.sources.bytes(file, Span::at(here, AHEAD)));
-            return Ok(Some(ProgramEnds { blocks_behind }));
+            let blocks_follow = blocks_behind_the_end(&core.job.sources.bytes(file, Span::at(here, AHEAD)));
+            return Ok(Some(ProgramEnds { blocks_follow }));
         }
         // Comments in front of the first header.
         let line = core.job.sources.bytes(file, Span::at(here, 200));

@@ -30,17 +30,17 @@ pub(super) const ARC_ADDRESSES: [Address; 9] = [
     Address::Turn,
 ];
 
-/// What is to be done behind the words of a block: M functions, and what runs modally.
-pub(super) struct Behind {
+/// What is to be done after the words of a block: its M functions, and what runs modally.
+pub(super) struct AfterBlock {
     /// Axes moved along a path.
     pub moved: bool,
-    /// A control may run what is modal behind it, though no axis is named.
+    /// A control may run what is modal after it, though no axis is named.
     pub triggers: bool,
 }
 
 impl Channel<'_> {
-    /// Carries out the words of a block that holds no call; `None` where nothing acts behind it.
-    pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<Behind>> {
+    /// Carries out the words of a block that holds no call; `None` where nothing acts after it.
+    pub(super) fn run_words(&mut self, w: &mut Words, block: &Block) -> Outcome<Option<AfterBlock>> {
         let motion = self.st.codes.of(Group::Motion);
         if self.st.taps.are_open() && self.st.taps.end_before(w, motion) {
             self.tapping_ends();
@@ -60,7 +60,7 @@ impl Channel<'_> {
         match self.codes_of_block(w)? {
             Whole::No => {}
             Whole::Done => return Ok(None),
-            Whole::Nonmodal { moved } => return Ok(Some(Behind { moved, triggers: false })),
+            Whole::Nonmodal { moved } => return Ok(Some(AfterBlock { moved, triggers: false })),
         }
         let motion = self.st.codes.of(Group::Motion);
         if motion.is_tapping() && !w.axes.is_empty() {
@@ -84,7 +84,7 @@ impl Channel<'_> {
         if self.st.modal_call.is_on() {
             w.moves_what_is_left_out(&self.core)?;
         }
-        Ok(Some(Behind { moved, triggers }))
+        Ok(Some(AfterBlock { moved, triggers }))
     }
 
     /// After an error nobody knows where the axes of the block are.

@@ -1,10 +1,10 @@
-//! Carries out the words of a block: modal codes, then technology, then the motion, then what acts behind it, and the modal call.
+//! Carries out the words of a block: modal codes, then technology, then the motion, then what acts after it, and the modal call.
 //!
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
 use crate::diag::codes;
 
-use super::block::Behind;
+use super::block::AfterBlock;
 use super::line::{Line, NextText};
 use super::procedures::Left;
 use super::words::Words;
@@ -25,7 +25,7 @@ impl Run<'_> {
             }
         }
         self.channel.core.begins_executing();
-        let Some(Behind { moved, triggers }) = self.channel.run_words(words, line.block)? else { return Ok(None) };
+        let Some(AfterBlock { moved, triggers }) = self.channel.run_words(words, line.block)? else { return Ok(None) };
         for m in &words.m {
             if self.channel.late_function(*m)? {
                 self.leave_program();
@@ -36,7 +36,7 @@ impl Run<'_> {
                 self.call(unit, arguments, 1, true, None)?;
             }
         } else if triggers && !moved && self.channel.core.job.diags.first_time(codes::S8033, ()) {
-            // A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
+            // A control may drill behind a bare G0 or F, too; read here: after blocks that name an axis only.
             let fault = codes::S8033::under_mcall_of_drilling_cycle_this_block();
             let fault = fault.help("put it before MCALL: some controls drill after it once more");
             self.channel.core.say(line.block.span, fault);

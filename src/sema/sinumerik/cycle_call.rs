@@ -94,7 +94,7 @@ impl ActiveCodes {
 }
 
 impl Channel<'_> {
-    /// Behind a block that moved: drills the modal cycle, or hands out the modal program, unless it is the one that moved.
+    /// After a block that moved: drills the modal cycle, or hands out the modal program, unless it is the one that moved.
     pub(super) fn runs_modally(&mut self) -> Outcome<Option<(usize, Vec<Argument>)>> {
         let is_modal = |kind: &FrameKind| matches!(kind, FrameKind::Program { modal: true, .. });
         let inside = self.core.levels.iter().any(|level| is_modal(&level.frame.kind));

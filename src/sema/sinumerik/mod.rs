@@ -423,7 +423,7 @@ impl Run<'_> {
             Stmt::Header => {
                 let Some(ends) = self.units.header(core)? else { return Ok(()) };
                 self.end_of_program_text();
-                if ends.blocks_behind {
+                if ends.blocks_follow {
                     let fault = codes::S2013::blocks_stand_behind_that_closes_program();
                     return self.channel.core.refuse(Where::Block, fault);
                 }
