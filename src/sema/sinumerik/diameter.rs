@@ -35,7 +35,6 @@ impl Core<'_> {
 }
 
 /// DIAMONA[X] and its kin: how the values of the axis count, where not as the codes say.
-/// DIAMONA[X] and its kin.
 pub(super) fn diameter_of(core: &Core<'_>, indexed: Indexed, axis: Axis, span: Span) -> Outcome<Option<Diameter>> {
     if !core.is_diameter_axis(axis) {
         return core.no_diameter_axis(span);
