@@ -84,6 +84,7 @@ impl Words {
     }
 
     /// E without a chamfer or rounding.
+    #[inline]
     fn no_e(&self) -> Made {
         if !self.has(b'E') {
             return Ok(());
