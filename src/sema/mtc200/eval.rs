@@ -182,6 +182,7 @@ impl Computing<'_, '_> {
     }
 
     /// A block that assigns variables; does nothing for other blocks.
+    #[inline]
     pub(super) fn assignments(&mut self, block: &Block) -> Outcome<bool> {
         let is_assignment = |word: &Word| matches!(word.target, Target::Variable(_));
         if !block.words.first().is_some_and(is_assignment) || !block.words.iter().all(is_assignment) {

@@ -297,7 +297,9 @@ impl Run<'_> {
         } else if !moves {
             self.count_between()?;
         }
-        self.m_at_end(w)?;
+        if !w.m().is_empty() {
+            self.m_at_end(w)?;
+        }
         match w.flow {
             Some(flow) if !self.core.has_ended() => self.go_on(flow, w),
             _ => Ok(()),

@@ -104,6 +104,7 @@ impl Words {
 }
 
 /// The feed that F programs, in mm; none where F0 keeps the one before.
+#[inline]
 pub(super) fn feed_word(feed: &ModalFeed, at: At, unit: f64, zero_keeps: bool) -> Made<Option<Feed>> {
     if at.value == 0.0 {
         if zero_keeps {

@@ -31,9 +31,15 @@ impl Core<'_> {
     /// G90 and G94 are in force at the start; where a program relies on that it shows at its first position or feed.
     #[inline]
     pub(super) fn relies_on_the_start(&self, said: &mut bool, span: Span) {
-        if !std::mem::replace(said, true) {
-            self.reading(Reading::AtStart, span, codes::P8106::g90_and_g94_are_in_force);
+        if !*said {
+            *said = true;
+            self.says_the_start(span);
         }
+    }
+
+    #[cold]
+    fn says_the_start(&self, span: Span) {
+        self.reading(Reading::AtStart, span, codes::P8106::g90_and_g94_are_in_force);
     }
 
     /// Words of the program flow that no page read describes.
@@ -50,6 +56,7 @@ impl Core<'_> {
     }
 
     /// M functions of the standard set, which a machine builder may have given another meaning.
+    #[inline]
     pub(super) fn m_reading(&self, w: &Words) {
         if let Some(&(number, span)) = w.m().iter().find(|(number, _)| !matches!(number, 2 | 30)) {
             self.reading(Reading::MFunctions, span, |key| codes::M8005::m_functions_are_standard(&number, key));

@@ -94,12 +94,17 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// Room for the next block.
     pub fn clear(&mut self) {
-        let [mut m, mut aux] = [std::mem::take(&mut self.m), std::mem::take(&mut self.aux)];
-        m.clear();
-        aux.clear();
-        *self = Words { m, aux, ..Words::default() };
+        self.g = [None; GROUPS];
+        self.axes.clear();
+        (self.axes_span, self.centre_span) = (Span::default(), Span::default());
+        self.centre = [None; 3];
+        (self.radius, self.feed, self.speed, self.tool) = (None, None, None, None);
+        (self.program, self.chamfer, self.rounding, self.flow) = (None, None, None, None);
+        self.silent = [None; 3];
+        self.m.clear();
+        self.aux.clear();
+        self.strange.clear();
     }
 
     pub(super) fn print_m(&mut self, number: u32, span: Span) {

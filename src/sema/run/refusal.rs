@@ -31,6 +31,7 @@ pub fn refused<T>(place: impl Into<Where>, fault: Fault) -> Made<T> {
 }
 
 /// Hands what was made to the one place that reports: `refuse` says why there is nothing.
+#[inline]
 pub fn reported<T>(made: Made<T>, refuse: impl FnOnce(Where, Fault)) -> Outcome<T> {
     made.map_err(|refusal| {
         if let Refusal::Fault(place, fault) = refusal {

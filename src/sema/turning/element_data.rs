@@ -47,18 +47,14 @@ impl Core<'_> {
         let settings = &self.job.settings.control.turning;
         let angle = self.made(one_of(w.get(b'A'), w.long("AN")))?;
         let transition = self.made(w.transition(measure.mm))?;
-        // Along an axis there is one line only.
-        if let Some(num) = angle.filter(|num| num.value % 90.0 != 0.0) {
-            self.depends_on(Question::LineAngle, num.span);
-        }
-        let line = |num: Num| if settings.angle_from_plus == Some(true) { 180.0 - num.value } else { num.value };
+        let entry = angle.map(|num| Angles::FromMinus.entry(Deg(self.line_angle(num))));
         let swapped = arc.is_some() && settings.arc_choice == Some(ArcChoice::ZeroIsFar);
         let far = self.made(w.is_far())? != swapped;
         let mut data = Data {
             arc: arc.map(|(ccw, _)| ccw),
             x: w.coord(Axis::Z, measure.mm),
             y: w.coord(Axis::X, measure.mm),
-            entry: angle.map(|num| Angles::FromMinus.entry(Deg(line(num)))),
+            entry,
             smooth: transition == Transition::Open,
             tolerance: self.arc_tolerance(),
             ..Data::default()
@@ -78,12 +74,23 @@ impl Core<'_> {
         Ok((data, Follows { transition, far }))
     }
 
+    /// The angle of a line, counted from the negative Z axis.
+    #[cold]
+    fn line_angle(&self, num: Num) -> f64 {
+        // Along an axis there is one line only.
+        if num.value % 90.0 != 0.0 {
+            self.depends_on(Question::LineAngle, num.span);
+        }
+        if self.job.settings.control.turning.angle_from_plus == Some(true) { 180.0 - num.value } else { num.value }
+    }
+
     /// How far the radii at both ends of an arc may differ, in mm.
     pub(super) fn arc_tolerance(&self) -> f64 {
         self.job.settings.control.turning.arc_tolerance.unwrap_or(AGREES)
     }
 }
 
+#[inline]
 fn one_of(a: Option<Num>, b: Option<Num>) -> Made<Option<Num>> {
     match (a, b) {
         (Some(_), Some(b)) => refused(b.span, codes::P1002::two_addresses_of_block_mean_same()),
@@ -93,6 +100,7 @@ fn one_of(a: Option<Num>, b: Option<Num>) -> Made<Option<Num>> {
 
 impl Words {
     /// B or BR.
+    #[inline]
     pub(super) fn transition(&self, mm: f64) -> Made<Transition> {
         let num = one_of(self.get(b'B'), self.long("BR"))?;
         Ok(num.map_or(Transition::Open, |num| transition_of(num.value * mm)))
@@ -115,6 +123,7 @@ impl Words {
     }
 
     /// Q: which of two solutions. The manuals disagree on arcs.
+    #[inline]
     fn is_far(&self) -> Made<bool> {
         match self.get(b'Q') {
             None => Ok(false),

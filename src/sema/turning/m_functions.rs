@@ -21,6 +21,7 @@ fn what(m: Fun, settings: &Settings) -> Made<Function> {
 }
 
 /// Refuses functions that contradict each other, before anything is done.
+#[inline]
 pub(super) fn check_m(w: &Words, settings: &Settings) -> Made {
     for (i, m) in w.m().iter().enumerate() {
         let function = what(*m, settings)?;

@@ -202,7 +202,7 @@ impl Run<'_> {
             return self.core.names_line();
         }
         let here = if let Stmt::Slide(number) = block.stmt { Some(number) } else { None };
-        if let Some(slide) = [block.slide, here].into_iter().flatten().find(|slide| *slide != 1) {
+        if let Some(slide) = block.slide.filter(|slide| *slide != 1).or(here.filter(|slide| *slide != 1)) {
             self.lose_all();
             return self.core.other_slide(slide);
         }

@@ -55,18 +55,15 @@ impl Core<'_> {
         Ok(Point2::new(z, x))
     }
 
-    /// The end of a straight move: X first, as far as it is not open.
+    /// The end of a straight move along an axis, as far as it is not open.
     #[inline]
-    fn end_of(&self, (x, z): (Coord, Coord), w: &Words, position: &Position) -> Outcome<Pos> {
-        let mut end = Pos::UNKNOWN;
-        for (axis, coord) in [(Axis::X, x), (Axis::Z, z)] {
-            match coord {
-                Coord::At(v) => end.set(axis, v),
-                Coord::By(d) => end.set(axis, self.stands(position, axis, w.place(axis.letter() as u8))? + d),
-                Coord::Stay | Coord::Open => {}
-            }
+    fn end_on(&self, axis: Axis, coord: Coord, w: &Words, position: &Position, end: &mut Pos) -> Outcome {
+        match coord {
+            Coord::At(v) => end.set(axis, v),
+            Coord::By(d) => end.set(axis, self.stands(position, axis, w.place(axis.letter() as u8))? + d),
+            Coord::Stay | Coord::Open => {}
         }
-        Ok(end)
+        Ok(())
     }
 }
 
@@ -87,6 +84,7 @@ impl Words {
     }
 
     /// E without a chamfer or rounding.
+    #[inline]
     fn no_e(&self) -> Made {
         if !self.has(b'E') {
             return Ok(());
@@ -188,7 +186,9 @@ impl Run<'_> {
             return self.chained(data, follows, feed, w);
         }
         let transition = follows.transition;
-        let end = self.core.end_of((data.y, data.x), w, &self.st.position)?;
+        let mut end = Pos::UNKNOWN;
+        self.core.end_on(Axis::X, data.y, w, &self.st.position, &mut end)?;
+        self.core.end_on(Axis::Z, data.x, w, &self.st.position, &mut end)?;
         if end.known().is_empty() {
             return self.core.refuse(Where::Block, codes::P1004::block_names_no_end_point());
         }
@@ -302,7 +302,9 @@ impl Run<'_> {
         let mm = self.st.mm();
         let lead = self.core.made(w.needed_length(b'F', mm, "the pitch of the thread"))?;
         let (x, z) = (w.coord(Axis::X, mm), w.coord(Axis::Z, mm));
-        let mut end = self.core.end_of((x, z), w, &self.st.position)?;
+        let mut end = Pos::UNKNOWN;
+        self.core.end_on(Axis::X, x, w, &self.st.position, &mut end)?;
+        self.core.end_on(Axis::Z, z, w, &self.st.position, &mut end)?;
         let to = Point2::new(end.get(Axis::Z).unwrap_or(from.x), end.get(Axis::X).unwrap_or(from.y));
         if x == Coord::Open || z == Coord::Open || distance(from, to) <= SAME_POINT {
             return self.core.refuse(Where::Block, codes::P1004::thread_needs_end_point());

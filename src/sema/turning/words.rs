@@ -110,7 +110,11 @@ impl Words {
     }
 
     /// The text behind an address.
+    #[inline]
     pub fn text(&self, name: &str) -> Option<Span> {
+        if self.texts.is_empty() {
+            return None;
+        }
         let addr = Addr::of(name.as_bytes())?;
         self.texts.iter().find(|(known, _)| *known == addr).map(|(_, span)| *span)
     }
