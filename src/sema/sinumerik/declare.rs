@@ -176,6 +176,7 @@ impl Run<'_> {
             }
             self.read_definitions(file, None, u32::MAX);
         }
+        self.vars.definitions_end();
         !any
     }
 

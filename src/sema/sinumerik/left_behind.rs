@@ -134,7 +134,8 @@ impl LeftBehind {
 
     /// Refuses what needs a speed where the last call leaves another one.
     pub fn speed_is_known(&mut self, core: &Core<'_>, describes: bool, needs: &str) -> Outcome {
-        let Some(lost) = self.speed.take().filter(|_| !describes) else { return Ok(()) };
+        // What is described runs later, and the speed is no better known then.
+        let Some(lost) = self.speed.take_if(|_| !describes) else { return Ok(()) };
         let (name, call) = *lost;
         core.refuse(Where::Block, codes::S2045::in_line_leaves_speed_that_is_not(&needs, &name, &call.line))
     }

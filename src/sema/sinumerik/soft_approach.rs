@@ -492,14 +492,14 @@ fn retract(
     if let Some(heights) = heights {
         rise(st, &mut moves, &mut last, heights, [sizes.infeed.unwrap_or(feed), feed]);
     }
-    let sent = last.get(third).is_some();
+    let height = last.get(third);
     if named {
         last.set_in_plane(plane, far);
     }
     if let Some(top) = end.get(third) {
         last.set(third, top);
     }
-    if named || !sent {
+    if named || height.is_none() || height != last.get(third) {
         moves.push((last, Path::Line(feed), Side::None));
     }
     Ok(Some((moves, last)))

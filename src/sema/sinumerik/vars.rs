@@ -86,6 +86,8 @@ pub(super) struct Vars {
     arena: Vec<Var>,
     scopes: Vec<Scope>,
     global: FxHashMap<Symbol, Var>,
+    /// What definition files define, as it starts.
+    defined: Option<std::rc::Rc<FxHashMap<Symbol, Var>>>,
     values: usize,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_visible: bool,
@@ -263,10 +265,20 @@ impl Vars {
         }
     }
 
-    /// Everything as it was, except that what was said is not said again.
+    /// The definition files are read: what they define is there from now on, whatever is restored.
+    pub fn definitions_end(&mut self) {
+        self.defined = Some(std::rc::Rc::new(self.global.clone()));
+    }
+
+    /// Everything as it was, except that what was said is not said again, and that definition files are read once.
     pub fn restore(&mut self, before: Vars) {
-        let said = std::mem::take(&mut self.said);
-        *self = Vars { said, ..before };
+        let (said, defined) = (std::mem::take(&mut self.said), self.defined.take());
+        let met_within = defined.as_ref().filter(|_| before.defined.is_none()).cloned();
+        *self = Vars { said, defined, ..before };
+        for (name, var) in met_within.iter().flat_map(|defined| defined.iter()) {
+            self.values += var.values.len();
+            self.global.insert(*name, var.clone());
+        }
     }
 
     /// The variable whose name is one letter.
