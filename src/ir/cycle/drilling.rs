@@ -146,7 +146,7 @@ pub struct Removal {
     /// Seconds at the start plane, 0 or more.
     pub dwell: f64,
     /// Where rapid traverse back into the hole ends.
-    pub ahead: Ahead,
+    pub ahead: AdvancedStop,
     /// After the last step, too, the tool stops at the start plane, which it reaches at this feed, at rapid with
     /// `None`; without the outer value it goes to the retract height at once.
     pub last: Option<Option<Feed>>,
@@ -154,7 +154,7 @@ pub struct Removal {
 
 /// Distance above the depth reached where rapid traverse back into the hole ends, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Ahead {
+pub enum AdvancedStop {
     /// [`usual_ahead`] of the depth reached.
     ByDepth,
     /// The distance after the first step and the one before the last step, each 0 or more; evenly between.
@@ -378,7 +378,7 @@ impl Levels {
 impl Pecking {
     /// Steps without dwell, chips removed at rapid.
     pub fn new(first: f64, degression: Degression) -> Pecking {
-        let removal = Removal { back: None, dwell: 0.0, ahead: Ahead::ByDepth, last: None };
+        let removal = Removal { back: None, dwell: 0.0, ahead: AdvancedStop::ByDepth, last: None };
         Pecking {
             from: 0.0,
             first,
@@ -414,11 +414,11 @@ impl Breaks {
     }
 }
 
-impl Ahead {
+impl AdvancedStop {
     fn is_possible(self) -> bool {
         match self {
-            Ahead::ByDepth => true,
-            Ahead::Evenly(ways) => ways.iter().all(|way| *way >= 0.0 && way.is_finite()),
+            AdvancedStop::ByDepth => true,
+            AdvancedStop::Evenly(ways) => ways.iter().all(|way| *way >= 0.0 && way.is_finite()),
         }
     }
 }

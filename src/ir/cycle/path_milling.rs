@@ -29,7 +29,7 @@ pub struct PathMilling {
     /// Down to the floor, not only to its allowance.
     pub finishes_floor: bool,
     /// How the tool gets from one level to the next.
-    pub between: Between,
+    pub between: LevelChange,
     /// Every second level is milled backwards, from where the one before ends.
     pub alternates: bool,
 }
@@ -63,7 +63,7 @@ pub enum Form {
 
 /// From the end of one level to the start of the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Between {
+pub struct LevelChange {
     /// How far the tool is lifted.
     pub lift: Lift,
     /// Feed to the start of the next level; rapid traverse without one. Not lifted at all, the tool goes at the feed of

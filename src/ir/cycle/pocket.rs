@@ -42,14 +42,14 @@ pub struct Pocket {
     /// Feed on the arc from place to place at the retract height; straight at rapid traverse without one.
     pub transfer: Option<Feed>,
     /// How the tool gets from one level to the insertion of the next.
-    pub between: Between,
+    pub between: LevelChange,
     /// Over this point of the plane, mm, the tool stands in the end; `None`: over the entry of the last place.
     pub home: Option<Point2>,
 }
 
 /// From the end of one level to the insertion of the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Between {
+pub enum LevelChange {
     /// Straight on the level, at the feed of the plane.
     Straight,
     /// Off the wall on an arc, up by the safety distance, and over cleared ground at rapid traverse.
@@ -84,7 +84,7 @@ pub enum Insertion {
     Helix { radius: f64, pitch: f64 },
     /// To and fro, falling by at most `angle`, below 90 degrees; 0 for one stroke. Along slots, else on the long axis
     /// as far as there is room.
-    Sway {
+    Ramp {
         angle: Deg,
         /// Greatest length of a stroke, mm; that of the long axis without one. A slot does not look at it.
         stroke: Option<f64>,
@@ -117,14 +117,14 @@ pub struct Finish {
     /// Speeds of the spindle around the finishing cuts; `None` leaves the one in force.
     pub speed: Option<Speed>,
     /// How the cut along the wall begins and ends.
-    pub onto: Onto,
+    pub onto: WallApproach,
     /// The floor is entered as roughing enters a level; else straight down.
     pub inserts: bool,
 }
 
 /// How a finishing cut comes to the wall and leaves it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Onto {
+pub enum WallApproach {
     /// On quarters of a circle of the usual radius, [`APPROACH`], as far as there is room.
     Usual,
     /// On quarters of a circle of this radius in mm, or of the allowance where that is larger, as far as there is room.
@@ -262,7 +262,7 @@ impl Insertion {
                 parts(level, *pitch) <= MOST_LEVELS
             }
             Insertion::Strokes { fall } => parts(mill.heights.way(), *fall) <= MOST_LEVELS,
-            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => true,
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Ramp { .. } => true,
         }
     }
 }
@@ -303,9 +303,9 @@ impl Pocket {
     pub fn approach_radius(&self) -> f64 {
         let room = self.shape.room(self.mill.radius).least();
         let asked = match self.finish.map(|finish| finish.onto) {
-            Some(Onto::Semicircle) => return room / 2.0,
-            Some(Onto::Quarter(radius)) => radius,
-            Some(Onto::Usual) | None => APPROACH,
+            Some(WallApproach::Semicircle) => return room / 2.0,
+            Some(WallApproach::Quarter(radius)) => radius,
+            Some(WallApproach::Usual) | None => APPROACH,
         };
         asked.max(self.allowance).min(room)
     }
@@ -361,7 +361,7 @@ impl Family for Pocket {
         let insertion = match self.insertion {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
-            Insertion::Sway { angle, stroke } => (0.0..90.0).contains(&angle.0) && stroke.is_none_or(usable),
+            Insertion::Ramp { angle, stroke } => (0.0..90.0).contains(&angle.0) && stroke.is_none_or(usable),
             Insertion::Strokes { fall } => {
                 fall > 0.0 && fall.is_finite() && matches!(self.shape, Shape::Slot { .. } | Shape::Bow { .. })
             }
@@ -369,7 +369,7 @@ impl Family for Pocket {
         let circle = matches!(self.shape, Shape::Circle { .. });
         let endless = match self.insertion {
             Insertion::Strokes { .. } => PocketFault::Mill(MillFault::TooManyLevels),
-            Insertion::Predrilled | Insertion::Vertical | Insertion::Helix { .. } | Insertion::Sway { .. } => {
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Helix { .. } | Insertion::Ramp { .. } => {
                 PocketFault::Pitch
             }
         };
@@ -397,7 +397,7 @@ impl Family for Pocket {
         let turns = |step: f64| parts(heights.way(), step) as f64;
         let strokes = match self.insertion {
             Insertion::Strokes { fall } => turns(fall),
-            Insertion::Predrilled | Insertion::Vertical | Insertion::Helix { .. } | Insertion::Sway { .. } => 0.0,
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Helix { .. } | Insertion::Ramp { .. } => 0.0,
         };
         let rough = if self.rough { 10.0 * rings * turns(heights.step) + strokes } else { 0.0 };
         let finish = self.finish.map_or(0.0, |finish| 16.0 * turns(finish.step) + 10.0 * rings);

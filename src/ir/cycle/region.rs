@@ -165,7 +165,7 @@ impl Family for Region {
         let insertion = match self.insertion {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
-            Insertion::Sway { angle, .. } => (0.0..90.0).contains(&angle.0),
+            Insertion::Ramp { angle, .. } => (0.0..90.0).contains(&angle.0),
             Insertion::Strokes { .. } => false,
         };
         let finish = self.finish.is_none_or(|finish| usable(finish.step) && finish.feed.value() > 0.0);

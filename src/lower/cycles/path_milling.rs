@@ -10,7 +10,7 @@ use crate::geo::soft::Touch;
 use crate::geo::{Element, Point2, Vec2, arc, clearance, distance, left};
 use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::cycle::milling::Place;
-use crate::ir::cycle::path_milling::{Between, Form, Lift};
+use crate::ir::cycle::path_milling::{Form, LevelChange, Lift};
 use crate::ir::cycle::{Family, PathMilling};
 use crate::ir::{Feed, Side};
 
@@ -250,7 +250,7 @@ impl Tool<'_, '_> {
 
     /// Off the level that is cut.
     fn lift(&mut self, level: f64) {
-        let Between { lift, feed } = self.travel.path.between;
+        let LevelChange { lift, feed } = self.travel.path.between;
         let heights = self.travel.path.mill.heights;
         match lift {
             Lift::Retract => self.cutter.lift(heights.retract),

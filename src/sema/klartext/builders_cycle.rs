@@ -11,7 +11,7 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::cycle_definition::{Does, LeftWord, Open};
-use super::cycles::{Nature, find};
+use super::cycles::{CycleKind, find};
 use super::m_table;
 use super::{Core, Outcome, Reported, Run};
 
@@ -116,7 +116,7 @@ impl Core<'_> {
 fn vain(cycle: Option<u32>, stands: &StandIn) -> Option<&'static str> {
     let Some(number) = cycle else { return Some("which is no name of a cycle") };
     let row = find(number);
-    if !matches!(row.nature, Nature::Unknown) {
+    if !matches!(row.nature, CycleKind::Unknown) {
         return Some(row.called());
     }
     (*stands != StandIn::Ignored).then_some("a cycle can be left out only, by `ignore`")

@@ -16,7 +16,7 @@ use super::cycle_definition::Open;
 use super::cycles::DefinedCycle;
 use super::cycles::call::Calling;
 use super::cycles::contours::ROUGH_OUT;
-use super::cycles::{Nature, find};
+use super::cycles::{CycleKind, find};
 use super::known::Known;
 use super::m_table::{When, entry};
 use super::words::MWord;
@@ -127,7 +127,7 @@ impl Cycles {
     /// A machining cycle, which calls run.
     pub fn define_machining(&mut self, core: &Core<'_>, cycle: DefinedCycle) -> Outcome {
         cycle.check(core)?;
-        if matches!(cycle.row().nature, Nature::Machining) {
+        if matches!(cycle.row().nature, CycleKind::Machining) {
             self.defines_unsupported(cycle.number, cycle.loc, false);
         }
         self.define(Defined::Machining { cycle: Rc::new(cycle), refused: false });
@@ -139,7 +139,7 @@ impl Cycles {
         let all = std::mem::take(&mut self.unsupported);
         for Unsupported { number, loc, .. } in all.into_values().filter(|cycle| !cycle.called) {
             let row = find(number);
-            let what = if matches!(row.nature, Nature::Data) {
+            let what = if matches!(row.nature, CycleKind::Data) {
                 "is defined for cycles that are not supported, and none of them is called"
             } else {
                 "is defined and never called; it is not supported"

@@ -12,7 +12,7 @@ use super::cycle::Defined;
 use super::cycle_definition::Open;
 use super::cycle_words::{Defining, check_title};
 use super::cycles::DefinedCycle;
-use super::cycles::{Nature, Row, find};
+use super::cycles::{CycleKind, Row, find};
 use super::words::Admits;
 use super::{Outcome, Run};
 
@@ -50,7 +50,7 @@ impl Run<'_> {
             },
         }
         let Some(open) = self.cycles.open() else { return Ok(()) };
-        if matches!(find(number).nature, Nature::Unknown) {
+        if matches!(find(number).nature, CycleKind::Unknown) {
             open.keep_left_words(&self.core, part, block, text);
         }
         let (core, vars, st, globals) = (&mut self.core, &mut self.vars, &self.st, &self.globals);
@@ -65,11 +65,11 @@ impl Run<'_> {
         let here = std::mem::replace(&mut self.core.here, open.here);
         let failed = open.failed || self.apply_cycle(&open).is_err();
         let nature = find(open.number).nature;
-        if failed && (nature.is_machining() || matches!(nature, Nature::ProgramCall | Nature::Unknown)) {
+        if failed && (nature.is_machining() || matches!(nature, CycleKind::ProgramCall | CycleKind::Unknown)) {
             self.cycles.define(Defined::Refused);
         }
         match nature {
-            Nature::Setting(_) if failed => self.contours.lose(open.number),
+            CycleKind::Setting(_) if failed => self.contours.lose(open.number),
             _ if failed && !nature.is_machining() => self.st.lose(AxisSet::MAIN),
             _ => {}
         }
@@ -83,10 +83,10 @@ impl Run<'_> {
         }
         let (frames, axis) = (&self.st.frames, self.st.axis());
         let next = match row.nature {
-            Nature::DatumShift => frames.shifted(&self.core, &self.datum_table.axes_of(&self.core, open)?)?,
-            Nature::Mirror => frames.mirrored(&self.core, open.axes.iter().map(|axis| axis.axis).collect(), axis)?,
-            Nature::Scaling => frames.scaled(&self.core, open.single_value(&self.core)?, axis)?,
-            Nature::AxisScaling => frames.axes_scaled(&self.core, open)?,
+            CycleKind::DatumShift => frames.shifted(&self.core, &self.datum_table.axes_of(&self.core, open)?)?,
+            CycleKind::Mirror => frames.mirrored(&self.core, open.axes.iter().map(|axis| axis.axis).collect(), axis)?,
+            CycleKind::Scaling => frames.scaled(&self.core, open.single_value(&self.core)?, axis)?,
+            CycleKind::AxisScaling => frames.axes_scaled(&self.core, open)?,
             _ => return self.apply_other(row, open),
         };
         self.set_transformation(next)
@@ -96,19 +96,19 @@ impl Run<'_> {
     fn apply_other(&mut self, row: &Row, open: &Open) -> Outcome {
         let here = self.core.here.origin.loc;
         match row.nature {
-            Nature::Dwell | Nature::Tolerance => {
+            CycleKind::Dwell | CycleKind::Tolerance => {
                 let function = open.function(&self.core, row.nature)?;
                 self.function(function);
             }
-            Nature::Rotation => {
+            CycleKind::Rotation => {
                 let incremental = open.values.iter().any(|value| value.label == "IROT");
                 return self.rotate(open.single_value(&self.core)?, incremental);
             }
-            Nature::ProgramCall => match &open.program {
+            CycleKind::ProgramCall => match &open.program {
                 Some(name) => self.cycles.define(Defined::Program { name: name.clone() }),
                 None => return self.core.refuse(Where::Block, codes::K2402::cycle_12_names_no_program()),
             },
-            Nature::Orientation => {
+            CycleKind::Orientation => {
                 let angle = open.single_value(&self.core)?;
                 if !(0.0..=360.0).contains(&angle) {
                     let fault = codes::P2090::spindle_angle_of_degrees_is_out(&angle);
@@ -116,25 +116,25 @@ impl Run<'_> {
                 }
                 self.st.spindle.orient(angle);
             }
-            Nature::Tilt => return self.tilt(open),
-            Nature::Preset => return self.preset(open),
-            Nature::Setting(setting) => return self.contours.keep(&self.core, setting, open),
-            Nature::Data => self.cycles.defines_unsupported(open.number, here, false),
-            Nature::Acting => {
+            CycleKind::Tilt => return self.tilt(open),
+            CycleKind::Preset => return self.preset(open),
+            CycleKind::Setting(setting) => return self.contours.keep(&self.core, setting, open),
+            CycleKind::Data => self.cycles.defines_unsupported(open.number, here, false),
+            CycleKind::Acting => {
                 let fault = codes::P9010::cycle_acts_where_it_is_defined(&open.number, &row.called());
                 return self.st.refuse_motion(&mut self.core, Where::Block, fault);
             }
-            Nature::Pattern(places) => {
+            CycleKind::Pattern(places) => {
                 let pattern = DefinedCycle::new(open, here, self.core.mm());
                 let run = self.pattern_cycle(&pattern, places);
                 return run.inspect_err(|_| self.st.lose_all(&mut self.core));
             }
-            Nature::Unknown => return self.builders_cycle(open),
-            Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => {
+            CycleKind::Unknown => return self.builders_cycle(open),
+            CycleKind::Drilling(_) | CycleKind::Milling(_) | CycleKind::Machining => {
                 let cycle = DefinedCycle::new(open, here, self.core.mm());
                 return self.cycles.define_machining(&self.core, cycle);
             }
-            Nature::DatumShift | Nature::Mirror | Nature::Scaling | Nature::AxisScaling => {}
+            CycleKind::DatumShift | CycleKind::Mirror | CycleKind::Scaling | CycleKind::AxisScaling => {}
         }
         Ok(())
     }

@@ -14,7 +14,7 @@ use crate::sema::run::Where;
 
 use super::cycles::call::{Calling, CycleCall, Heights, Instead, Seen};
 use super::cycles::data::{Contoured, Kept, Values};
-use super::cycles::{DefinedCycle, Nature, Planned, Requires};
+use super::cycles::{CycleKind, DefinedCycle, Planned, Requires};
 use super::known::Known;
 use super::place::View;
 use super::reading::Reading;
@@ -51,8 +51,8 @@ impl Run<'_> {
     ) -> Outcome {
         let nature = cycle.row().nature;
         let planned = self.planned(cycle, given, calling, contours, |call| match nature {
-            Nature::Drilling(drilling) => call.hole(drilling),
-            Nature::Milling(plan) => plan(call),
+            CycleKind::Drilling(drilling) => call.hole(drilling),
+            CycleKind::Milling(plan) => plan(call),
             _ => Ok(Planned::default()),
         })?;
         self.send_planned(cycle, planned)

@@ -16,7 +16,7 @@ use crate::text::{Span, number::decimal};
 
 use super::contour_data::contour_labels;
 use super::cycle_definition::{AxisValue, DottedValue, Labelled, Open, What, WordFeed};
-use super::cycles::{Nature, find};
+use super::cycles::{CycleKind, find};
 use super::global_def::{Given, Globals};
 use super::reading::Reading;
 use super::state::State;
@@ -77,13 +77,13 @@ impl<'a> Defining<'_, 'a> {
         }
     }
 
-    fn read(&mut self, word: Word, nature: Nature, read: &mut Read, block: &Block, text: &[u8]) -> Outcome {
+    fn read(&mut self, word: Word, nature: CycleKind, read: &mut Read, block: &Block, text: &[u8]) -> Outcome {
         match word.addr {
             Addr::TurnPlus | Addr::TurnMinus if nature.is_machining() => {
                 self.open.keep_part(What::Turn, if word.addr == Addr::TurnPlus { 1.0 } else { -1.0 });
             }
             Addr::Axis { .. } => return self.axis(word, nature, block),
-            Addr::Name if matches!(nature, Nature::Mirror) => self.mirror_letters(word, block, text)?,
+            Addr::Name if matches!(nature, CycleKind::Mirror) => self.mirror_letters(word, block, text)?,
             Addr::Name => {
                 read.label = Some((String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(), word.span));
             }
@@ -105,7 +105,7 @@ impl<'a> Defining<'_, 'a> {
                 self.open.keep_part(What::Feed, value);
             }
             Addr::Assign(q) => self.parameter(q, word, text)?,
-            Addr::Feed | Addr::FeedMax if matches!(nature, Nature::Tilt) => {
+            Addr::Feed | Addr::FeedMax if matches!(nature, CycleKind::Tilt) => {
                 let label = if word.addr == Addr::Feed { "F" } else { "FMAX" }.to_owned();
                 let value = self.reading().number_if(word.value, word.span)?.unwrap_or_default();
                 self.open.values.push(Labelled { label, value });
@@ -121,14 +121,14 @@ impl<'a> Defining<'_, 'a> {
     }
 
     /// A coordinate: of a machining cycle a part of its place, else what the cycle does to the axis.
-    fn axis(&mut self, word: Word, nature: Nature, block: &Block) -> Outcome {
+    fn axis(&mut self, word: Word, nature: CycleKind, block: &Block) -> Outcome {
         let Addr::Axis { axis, incremental } = word.addr else { return Ok(()) };
         if nature.is_machining() {
             let value = self.reading().number(word.value, word.span)?;
             self.open.keep_part(What::Along(axis), value);
             return Ok(());
         }
-        if matches!(nature, Nature::DatumShift | Nature::Mirror | Nature::AxisScaling)
+        if matches!(nature, CycleKind::DatumShift | CycleKind::Mirror | CycleKind::AxisScaling)
             && self.open.axes.iter().any(|other| other.axis == axis)
         {
             return self.core.twice(word, block);
@@ -157,7 +157,7 @@ impl<'a> Defining<'_, 'a> {
     fn parameter(&mut self, q: QRef, word: Word, text: &[u8]) -> Outcome {
         let number = self.open.number;
         let takes = q.kind != QKind::Q || find(number).takes(number, q);
-        if !takes && q.number < 100 && matches!(find(number).nature, Nature::Unknown) {
+        if !takes && q.number < 100 && matches!(find(number).nature, CycleKind::Unknown) {
             return self
                 .core
                 .refuse(word.span, codes::P1003::in_definition_of_cycle(&self.core.word_text(word.span), &number, &q));
@@ -217,8 +217,8 @@ impl<'a> Defining<'_, 'a> {
     }
 
     /// Does the definition under way take this word?
-    fn takes(&self, nature: Nature, word: Word, read: &Read, text: &[u8]) -> bool {
-        use Nature::*;
+    fn takes(&self, nature: CycleKind, word: Word, read: &Read, text: &[u8]) -> bool {
+        use CycleKind::*;
         let number = self.open.number;
         let valued = word.value != Value::None;
         let none = read.values == 0;
@@ -301,8 +301,8 @@ impl Open {
     }
 
     /// What cycle 9 or 32 does. Without T the setting of the machine holds again for corners.
-    pub fn function(&self, core: &Core<'_>, nature: Nature) -> Outcome<Function> {
-        if matches!(nature, Nature::Dwell) {
+    pub fn function(&self, core: &Core<'_>, nature: CycleKind) -> Outcome<Function> {
+        if matches!(nature, CycleKind::Dwell) {
             let seconds = self.single_value(core)?;
             if !(0.0..=3600.0).contains(&seconds) {
                 return core.refuse(Where::Block, codes::P2090::dwell_of_s_is_out_of_range(&seconds));
@@ -342,10 +342,10 @@ pub(super) fn check_title(core: &Core<'_>, number: u32, part: Option<u32>, block
 }
 
 /// Is a name without a number a mistake here?
-fn needs_its_value(nature: Nature, part: Option<u32>) -> bool {
+fn needs_its_value(nature: CycleKind, part: Option<u32>) -> bool {
     match nature {
-        Nature::AxisScaling | Nature::Rotation | Nature::Scaling => true,
-        Nature::Milling(_) => part.is_some_and(|part| part > 0),
+        CycleKind::AxisScaling | CycleKind::Rotation | CycleKind::Scaling => true,
+        CycleKind::Milling(_) => part.is_some_and(|part| part > 0),
         _ => false,
     }
 }

@@ -16,7 +16,7 @@ use crate::text::{Loc, Span, decode::readable};
 
 use super::Klartext;
 use super::block_text::same_matter;
-use super::cycles::{Nature, find};
+use super::cycles::{CycleKind, find};
 use super::labels::{Label, Labels};
 use super::path::{corner_words, path_words};
 use super::words::Admits;
@@ -151,7 +151,7 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         Stmt::FnOther { number: 17 | 25, .. } => Some(codes::K9014),
         Stmt::FnOther { number: 24, .. } => Some(codes::P9011),
         Stmt::Cycle { number, part: None | Some(0) }
-            if matches!(find(number).nature, Nature::Acting | Nature::Unknown) =>
+            if matches!(find(number).nature, CycleKind::Acting | CycleKind::Unknown) =>
         {
             Some(codes::P9010)
         }

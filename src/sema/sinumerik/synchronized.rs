@@ -41,12 +41,18 @@ pub(super) struct SetBeside {
 }
 
 impl SetBeside {
+    /// The action that sets this R parameter.
+    #[inline]
+    fn sets_r(&self, n: u32) -> Option<Loc> {
+        let is_it = |name: &str| name == "R" || name.strip_prefix('R').is_some_and(|digits| digits.parse() == Ok(n));
+        self.names.iter().find(|(name, _)| is_it(name)).map(|(_, at)| *at)
+    }
+
     /// No value of an R parameter that an action beside the program sets.
     #[inline]
     pub fn leaves_r(&self, n: u32, core: &Core<'_>, span: Span) -> Outcome {
-        let is_it = |name: &str| name == "R" || name.strip_prefix('R').is_some_and(|digits| digits.parse() == Ok(n));
-        match self.names.iter().find(|(name, _)| is_it(name)) {
-            Some((_, at)) => is_set_beside(&format!("R{n}"), *at, core, span),
+        match self.sets_r(n) {
+            Some(at) => is_set_beside(&format!("R{n}"), at, core, span),
             None => Ok(()),
         }
     }

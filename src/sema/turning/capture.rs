@@ -8,7 +8,7 @@ use crate::sema::run::refusal::{Made, refused};
 use crate::sema::run::{Site, Where};
 use crate::text::{Loc, Span};
 
-use super::cycle_call::Behind;
+use super::cycle_call::FollowingContour;
 use super::cycles::Row;
 use super::geometry::{Geometry, Line, note_adjusted};
 use super::outline::{Builder, Outline};
@@ -129,7 +129,7 @@ impl Run<'_> {
     pub(super) fn begin_cycle(&mut self, cycle: &'static Row, w: &Words) -> Outcome {
         self.settle_chain()?;
         if !cycle.waits(w, self.named.is_some()) {
-            return self.run_cycle(cycle, w, Behind { outline: None, side: None });
+            return self.run_cycle(cycle, w, FollowingContour { outline: None, side: None });
         }
         if let Some(m) = w.m().iter().find(|m| !matches!(m.number, 3 | 4 | 8)) {
             return self.core.refuse(m.span, codes::P1005::m_stands_in_block_of_cycle_whose(&m.number));
@@ -170,7 +170,7 @@ impl Run<'_> {
             None => capture.outline(&self.core)?,
         };
         let here = std::mem::replace(&mut self.core.here, capture.here);
-        let behind = Behind { outline: Some(&outline), side: capture.side };
+        let behind = FollowingContour { outline: Some(&outline), side: capture.side };
         let result = self.run_cycle(capture.cycle, &capture.words, behind);
         self.core.here = here;
         result

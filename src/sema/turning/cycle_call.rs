@@ -22,14 +22,14 @@ use super::{Core, Outcome, Run};
 
 /// The contour in the blocks behind a cycle.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Behind<'a> {
+pub(super) struct FollowingContour<'a> {
     pub outline: Option<&'a Outline>,
     /// G41 or G42 at its start.
     pub side: Option<Fun>,
 }
 
 impl Run<'_> {
-    pub(super) fn run_cycle(&mut self, row: &'static Row, w: &Words, behind: Behind<'_>) -> Outcome {
+    pub(super) fn run_cycle(&mut self, row: &'static Row, w: &Words, behind: FollowingContour<'_>) -> Outcome {
         let at = self.core.tip(&self.st.position)?;
         let measure = self.measure();
         let named = self.named.as_deref();

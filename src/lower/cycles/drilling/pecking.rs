@@ -2,7 +2,7 @@
 
 use crate::geo::parts::NOTHING;
 use crate::ir::cycle::drilling::{
-    Ahead, Breaks, Degression, DrillingFault, Levels, MOST_PECKS, Pecking, Removal, usual_ahead,
+    AdvancedStop, Breaks, Degression, DrillingFault, Levels, MOST_PECKS, Pecking, Removal, usual_ahead,
 };
 
 use super::hole::Hole;
@@ -125,8 +125,8 @@ impl Hole<'_> {
     /// Distance in front of `depth`, at which step `at` of `count` ended.
     fn ahead(&self, removal: &Removal, depth: f64, (at, count): (usize, usize)) -> f64 {
         match removal.ahead {
-            Ahead::ByDepth => usual_ahead((self.levels.reference - depth).abs()),
-            Ahead::Evenly([first, last]) => {
+            AdvancedStop::ByDepth => usual_ahead((self.levels.reference - depth).abs()),
+            AdvancedStop::Evenly([first, last]) => {
                 let share = if count > 2 { at as f64 / (count - 2) as f64 } else { 0.0 };
                 first + share * (last - first)
             }

@@ -4,7 +4,9 @@ use super::pecking::depths;
 use super::*;
 use crate::ir::Feed;
 use crate::ir::contour::Path;
-use crate::ir::cycle::drilling::{Ahead, Bore, Breaks, Chip, Degression, Levels, Pecking, Removal, Resolved, TapStep};
+use crate::ir::cycle::drilling::{
+    AdvancedStop, Bore, Breaks, Chip, Degression, Levels, Pecking, Removal, Resolved, TapStep,
+};
 use crate::ir::function::Turn;
 use crate::ir::tap::Part;
 
@@ -123,7 +125,7 @@ fn swarf_removal_stops_short_of_the_last_depth() {
 #[test]
 fn chips_are_broken_and_removed_by_turns() {
     let back = Some(Feed::PerMinute(500.0));
-    let removal = Removal { back, dwell: 0.0, ahead: Ahead::Evenly([0.5, 1.5]), last: Some(back) };
+    let removal = Removal { back, dwell: 0.0, ahead: AdvancedStop::Evenly([0.5, 1.5]), last: Some(back) };
     let degression = Degression::Plain { less: 2.0, least: 3.0 };
     let peck = Pecking { removal, way: 0.2, breaks: Breaks::Times(1), ..Pecking::new(6.0, degression) };
     assert_eq!(

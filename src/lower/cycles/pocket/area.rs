@@ -64,7 +64,7 @@ impl Area {
             }
             (_, Room::Rectangle(half)) => rectangle(half, 0.0, width.min(WIDEST * radius), radius),
         };
-        if let Insertion::Sway { stroke: Some(stroke), .. } = pocket.insertion
+        if let Insertion::Ramp { stroke: Some(stroke), .. } = pocket.insertion
             && let Shape::Rectangle { .. } | Shape::Circle { .. } = pocket.shape
         {
             area.sway = shortened(&area.sway, stroke);

@@ -10,7 +10,7 @@ use crate::geo::{Deg, Element, Point2, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
-use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Shape, Strategy};
+use crate::ir::cycle::pocket::{Finish, Insertion, LevelChange, Pocket, Shape, Strategy, WallApproach};
 
 use super::cutter::Cutter;
 use super::{CycleItem, Expand, Start};
@@ -24,7 +24,7 @@ impl Expand for Pocket {
         self.check().map_err(|fault| codes::G3321::pocket_makes_no_path(&fault))?;
         let rough = self.rough.then(|| Area::new(self, self.rough_distance()));
         if let Some(area) = &rough
-            && let Insertion::Sway { angle, .. } = self.insertion
+            && let Insertion::Ramp { angle, .. } = self.insertion
             && strokes(self.level_step(), area.sway.length(), angle) > MOST_LEVELS
         {
             return Err(endless_strokes());
@@ -102,11 +102,11 @@ impl Tool<'_> {
                 self.half_a_stroke(area, feed);
                 self.cutter.lift(heights.safe());
             }
-            Between::Straight => {
+            LevelChange::Straight => {
                 self.back(area, area.entry, feed);
                 self.cutter.lift(heights.safe());
             }
-            Between::Lifted => {
+            LevelChange::Lifted => {
                 self.off_the_ring(area);
                 self.cutter.lift(heights.safe());
                 self.cutter.rapid(area.entry);
@@ -118,8 +118,8 @@ impl Tool<'_> {
     fn next(&mut self, area: &Area, point: Point2, from: f64) {
         let heights = self.pocket.mill.heights;
         match self.pocket.between {
-            Between::Straight => self.back(area, point, self.pocket.mill.feeds.plane),
-            Between::Lifted => {
+            LevelChange::Straight => self.back(area, point, self.pocket.mill.feeds.plane),
+            LevelChange::Lifted => {
                 self.off_the_ring(area);
                 // The straight way back leads over the material inside a bow.
                 let is_bow = matches!(self.pocket.shape, Shape::Bow { .. });
@@ -156,7 +156,7 @@ impl Tool<'_> {
     fn insertion_point(&self, area: &Area, level: f64) -> Point2 {
         match self.pocket.insertion {
             Insertion::Helix { radius, .. } if !self.enters_cleared(level) => area.entry + self.helix_arm(area, radius),
-            Insertion::Sway { .. } | Insertion::Strokes { .. } if !self.enters_cleared(level) => area.sway.from(),
+            Insertion::Ramp { .. } | Insertion::Strokes { .. } if !self.enters_cleared(level) => area.sway.from(),
             _ => area.entry,
         }
     }
@@ -194,7 +194,7 @@ impl Tool<'_> {
                 self.cutter.helix(center, ccw, turns, to, feed);
                 self.cutter.arc(center + arm, center, ccw, feed);
             }
-            Insertion::Sway { angle, .. } => {
+            Insertion::Ramp { angle, .. } => {
                 self.cutter.plunge(from);
                 let strokes = strokes((from - to).abs(), area.sway.length(), angle);
                 let height = |stroke: usize| from + (to - from) * stroke as f64 / strokes as f64;
@@ -276,7 +276,7 @@ impl Tool<'_> {
     /// The wall, down to what is left for the floor.
     fn wall(&mut self, finish: &Finish, area: &Area) {
         let heights = &self.pocket.mill.heights;
-        let roughed = self.pocket.rough && self.pocket.between == Between::Lifted;
+        let roughed = self.pocket.rough && self.pocket.between == LevelChange::Lifted;
         let mut above = heights.safe();
         for level in heights.levels_to(heights.rough_floor(), finish.step) {
             if roughed {
@@ -299,7 +299,7 @@ impl Tool<'_> {
         let (touch, ccw) = (ring.start(), self.pocket.counter_clockwise);
         let inward = if ccw { left(along) } else { -left(along) };
         let center = touch + inward * radius;
-        let semicircle = self.pocket.finish.is_some_and(|finish| finish.onto == Onto::Semicircle);
+        let semicircle = self.pocket.finish.is_some_and(|finish| finish.onto == WallApproach::Semicircle);
         let (from, to) = match radius < SMALLEST_APPROACH {
             true => (center, center),
             false if semicircle => (center + inward * radius, center + inward * radius),
@@ -307,8 +307,8 @@ impl Tool<'_> {
         };
         // In the middle all is cleared, beside the wall there may be an allowance.
         let down = match self.pocket.between {
-            Between::Straight => from,
-            Between::Lifted => area.core.as_ref().map_or(area.entry, Element::to),
+            LevelChange::Straight => from,
+            LevelChange::Lifted => area.core.as_ref().map_or(area.entry, Element::to),
         };
         self.over(down, above);
         self.cutter.plunge(level);

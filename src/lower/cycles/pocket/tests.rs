@@ -26,7 +26,7 @@ fn pocket(half: [f64; 2], corner: f64) -> Pocket {
         finish: None,
         cleared: None,
         transfer: None,
-        between: Between::Straight,
+        between: LevelChange::Straight,
         home: None,
     }
 }

@@ -16,7 +16,7 @@ mod walls;
 use crate::diag::{Fault, codes};
 use crate::geo::{Deg, Point2, distance};
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
-use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
+use crate::ir::cycle::pocket::{Finish, Insertion, WallApproach};
 use crate::ir::cycle::{Family, Region};
 
 use super::cutter::Cutter;
@@ -64,8 +64,8 @@ impl Expand for Region {
             }
             for part in &paths.wall {
                 let most = match finish.onto {
-                    Onto::Quarter(most) => Some(region.widest_arc(part, &walls).min(most)),
-                    Onto::Usual | Onto::Semicircle => None,
+                    WallApproach::Quarter(most) => Some(region.widest_arc(part, &walls).min(most)),
+                    WallApproach::Usual | WallApproach::Semicircle => None,
                 };
                 tool.begin(part.outline);
                 for ring in part.loops() {
@@ -234,14 +234,14 @@ impl Region {
     fn helix_arm(&self, room: f64, least: f64) -> f64 {
         match self.insertion {
             Insertion::Helix { radius, .. } => radius.min(room - least).min(self.mill.radius).max(0.0),
-            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } | Insertion::Strokes { .. } => 0.0,
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Ramp { .. } | Insertion::Strokes { .. } => 0.0,
         }
     }
 
     /// The longest way from a place on which strokes to and fro keep off the walls: up to two diameters of the cutter, and farther where it
     /// would take many strokes to get down.
     fn stroke(&self, from: Point2, walls: &Walls, least: f64) -> Option<Point2> {
-        let Insertion::Sway { angle, .. } = self.insertion else { return None };
+        let Insertion::Ramp { angle, .. } = self.insertion else { return None };
         let radius = self.mill.radius;
         let step = self.mill.heights.way() / self.mill.heights.levels().len() as f64;
         let few = step / libm::tan(angle.radians()) / FEW_STROKES;
@@ -265,8 +265,8 @@ impl Region {
             {
                 Err(codes::G3321::walls_leave_no_room_for_helix())
             }
-            (Insertion::Sway { .. }, None) => Err(codes::G3321::walls_leave_no_room_for_strokes()),
-            (Insertion::Sway { angle, .. }, Some(end))
+            (Insertion::Ramp { .. }, None) => Err(codes::G3321::walls_leave_no_room_for_strokes()),
+            (Insertion::Ramp { angle, .. }, Some(end))
                 if strokes(step, distance(entry.at, end), angle) > MOST_LEVELS =>
             {
                 Err(endless_strokes())

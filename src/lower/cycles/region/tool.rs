@@ -126,7 +126,7 @@ impl<'a> Tool<'a> {
                 self.cutter.helix(entry.at, ccw, turns, to, feed);
                 self.cutter.arc(begin, entry.at, ccw, feed);
             }
-            (Insertion::Sway { angle, .. }, Some(end)) => {
+            (Insertion::Ramp { angle, .. }, Some(end)) => {
                 self.cutter.plunge(from);
                 self.sway(&Element::Line { from: begin, to: end }, (from, to), strokes_down(angle, from, to), feed);
             }

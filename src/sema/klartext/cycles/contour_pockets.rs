@@ -7,9 +7,9 @@ use std::rc::Rc;
 use crate::diag::{Answer, Fault, codes};
 use crate::geo::overlay::Area;
 use crate::ir::Feed;
-use crate::ir::cycle::drilling::{Ahead, Levels, Method, usual_ahead};
+use crate::ir::cycle::drilling::{AdvancedStop, Levels, Method, usual_ahead};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
-use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
+use crate::ir::cycle::pocket::{Finish, Insertion, WallApproach};
 use crate::ir::cycle::region::Coarse;
 use crate::ir::cycle::{Cycle, Drilling, PilotHoles, Region};
 use crate::machine::Axis;
@@ -127,7 +127,7 @@ impl CycleCall<'_> {
             depth: heights.rough_floor(),
         };
         let mut peck = steps(step, (0.0, 0.0), 0.0);
-        peck.removal.ahead = Ahead::Evenly([usual_ahead((levels.reference - levels.depth).abs()); 2]);
+        peck.removal.ahead = AdvancedStop::Evenly([usual_ahead((levels.reference - levels.depth).abs()); 2]);
         let hole = Drilling { axis, levels, feed, entry: None, method: Method::Peck(peck) };
         Ok(Cycle::PilotHoles(self.sound(PilotHoles { pocket: Box::new(region), hole })?).into())
     }
@@ -291,7 +291,7 @@ impl CycleCall<'_> {
             |called| codes::K2902::plunging_by_q19_at_angle_0(called).answer(plunge_angle(called)),
         )?;
         let insertion = match angle {
-            Some(angle) => Insertion::Sway { angle, stroke: None },
+            Some(angle) => Insertion::Ramp { angle, stroke: None },
             None => Insertion::Vertical,
         };
         Ok((insertion, Some(feed)))
@@ -382,6 +382,6 @@ impl CycleCall<'_> {
 
 /// A finishing cut of the wall, or of the floor.
 fn finishing(feed: Feed, step: f64, (wall, arc): (bool, Option<f64>)) -> Finish {
-    let onto = arc.map_or(Onto::Usual, Onto::Quarter);
+    let onto = arc.map_or(WallApproach::Usual, WallApproach::Quarter);
     Finish { wall, floor: !wall, feed, step, speed: None, onto, inserts: false }
 }

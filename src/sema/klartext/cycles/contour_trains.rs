@@ -7,7 +7,7 @@ use crate::geo::Deg;
 use crate::ir::Side;
 use crate::ir::compensation::{Compensation, Search};
 use crate::ir::cycle::milling::{Division, Heights, Mill};
-use crate::ir::cycle::path_milling::{Between, Form, Lift, Way};
+use crate::ir::cycle::path_milling::{Form, LevelChange, Lift, Way};
 use crate::ir::cycle::{Cycle, PathMilling};
 use crate::sema::cycle::call::Made;
 
@@ -62,7 +62,7 @@ impl CycleCall<'_> {
             approach: way,
             leave: way,
             finishes_floor: true,
-            between: Between { lift: Lift::Retract, feed: None },
+            between: LevelChange { lift: Lift::Retract, feed: None },
             alternates: false,
         };
         let path = self.in_kind(path, kind, allowance)?;
@@ -77,12 +77,14 @@ impl CycleCall<'_> {
             }
             return match kind {
                 1.0 => Ok(path),
-                0.0 => Ok(PathMilling { alternates: true, between: Between { lift: Lift::None, feed: None }, ..path }),
+                0.0 => {
+                    Ok(PathMilling { alternates: true, between: LevelChange { lift: Lift::None, feed: None }, ..path })
+                }
                 other => self.refuse(codes::P2090::kind_of_milling_q15(&other)),
             };
         }
         if kind == 0.0 {
-            return Ok(PathMilling { alternates: true, between: Between { lift: Lift::None, feed: None }, ..path });
+            return Ok(PathMilling { alternates: true, between: LevelChange { lift: Lift::None, feed: None }, ..path });
         }
         let climbs = self.is_climb(KIND, kind)?;
         Ok(if climbs == (path.side == Side::Left) { path } else { path.backwards() })

@@ -2,7 +2,7 @@
 
 use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
-use super::{Nature, Plan, REMOVE, Requires, Row, Setting, milling, q};
+use super::{CycleKind, Plan, REMOVE, Requires, Row, Setting, milling, q};
 
 pub(in super::super) const DEPTH: Name = Name::Q(1);
 pub(in super::super) const OVERLAP: Name = Name::Q(2);
@@ -51,7 +51,7 @@ const fn setting(
 ) -> Row {
     let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
     let form = if number == 14 { "write the labels: `CYCL DEF 14.1 CONTOUR LABEL 1`" } else { REMOVE };
-    Row { numbers: (number, number), nature: Nature::Setting(setting), requires: &[], signature, form }
+    Row { numbers: (number, number), nature: CycleKind::Setting(setting), requires: &[], signature, form }
 }
 
 /// What cycles along contours need where they are called.

@@ -3,7 +3,7 @@
 use crate::ir::cycle::drilling::Method;
 use crate::sema::cycle::row::{Kind, Name, Parameter, Rule, Signature, Status};
 
-use super::{ABOVE_0, AT_SURFACE, DEPTH, Drilling, Nature, REMOVE, Requires, Row, SECOND, SET_UP, q};
+use super::{ABOVE_0, AT_SURFACE, CycleKind, DEPTH, Drilling, REMOVE, Requires, Row, SECOND, SET_UP, q};
 
 pub(in super::super) const PLUNGE: Name = Name::Q(202);
 pub(in super::super) const LEAST_PLUNGE: Name = Name::Q(205);
@@ -81,7 +81,13 @@ const fn cycle(
         17 => "write a name and one value: `CYCL DEF 17.3 PITCH +1.5`",
         _ => REMOVE,
     };
-    Row { numbers: (number, number), nature: Nature::Drilling(drilling), requires: drilling.requires, signature, form }
+    Row {
+        numbers: (number, number),
+        nature: CycleKind::Drilling(drilling),
+        requires: drilling.requires,
+        signature,
+        form,
+    }
 }
 
 const MANUAL: &str = "HEIDENHAIN iTNC 530 cycle programming; TNC 640 cycles";

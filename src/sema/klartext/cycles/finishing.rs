@@ -13,7 +13,7 @@ use crate::sema::cycle::row::{Kind, Name, Parameter};
 
 use super::call::CycleCall;
 use super::drilling::Q201;
-use super::machining::Asked;
+use super::machining::Machining;
 use super::milling::{CORNER, DIAMETER, FIRST_SIDE, Q202, Q206, Q207, SECOND_SIDE, cycle};
 use super::patterns::CENTER;
 use super::studs::{ASIDE, RAW_DIAMETER};
@@ -123,7 +123,7 @@ impl CycleCall<'_> {
 
     fn finished_wall(&self, mill: Mill, (place, allowance): (Place, f64), shape: Shape) -> Made<Planned> {
         let (step, feed) = (mill.heights.step, mill.feeds.plane);
-        let asked = Asked { rough: false, wall: true, floor: false, allowance, step, feed };
+        let asked = Machining { rough: false, wall: true, floor: false, allowance, step, feed };
         let pocket = self.pocket(mill, asked, shape, (place, mill.radius))?;
         self.milled(Pocket { home: Some(place.at), ..pocket })
     }

@@ -5,7 +5,9 @@
 
 use crate::diag::codes;
 use crate::ir::Feed;
-use crate::ir::cycle::drilling::{Ahead, Bore, Breaks, Degression, Levels, Method, Pecking, Removal, Tap, usual_ahead};
+use crate::ir::cycle::drilling::{
+    AdvancedStop, Bore, Breaks, Degression, Levels, Method, Pecking, Removal, Tap, usual_ahead,
+};
 use crate::ir::cycle::{Cycle, Drilling as Hole};
 use crate::ir::function::{Spindle, Turn};
 use crate::machine::{Axis, AxisSet};
@@ -91,7 +93,7 @@ impl CycleCall<'_> {
     /// Cycle 1.
     pub fn old_pecking(&self, cut: Cut) -> Made<Method> {
         let mut peck = steps(self.given.magnitude(OLD_STEP), (0.0, 0.0), cut.dwell);
-        peck.removal.ahead = Ahead::Evenly([usual_ahead(self.given.magnitude(OLD_DEPTH)); 2]);
+        peck.removal.ahead = AdvancedStop::Evenly([usual_ahead(self.given.magnitude(OLD_DEPTH)); 2]);
         Ok(Method::Peck(peck))
     }
 
@@ -104,7 +106,7 @@ impl CycleCall<'_> {
     pub fn drilling(&self, cut: Cut) -> Made<Method> {
         let mut peck = steps(self.given.length(PLUNGE), (0.0, 0.0), cut.dwell);
         peck.removal.dwell = self.dwell(DWELL_ABOVE)?;
-        peck.removal.ahead = Ahead::Evenly([self.given.length(CLEARANCE); 2]);
+        peck.removal.ahead = AdvancedStop::Evenly([self.given.length(CLEARANCE); 2]);
         Ok(Method::Peck(peck))
     }
 
@@ -144,7 +146,7 @@ impl CycleCall<'_> {
         let dwell = self.dwell(DWELL_ABOVE)?;
         let back = self.retract_feed(RETRACT_FEED, Some(cut.feed))?;
         let breaks = if times > 0 { Breaks::Times(times) } else { Breaks::Never };
-        let ahead = Ahead::Evenly([self.given.length(CLEARANCE); 2]);
+        let ahead = AdvancedStop::Evenly([self.given.length(CLEARANCE); 2]);
         let removal = Removal { back, dwell, ahead, last: Some(back) };
         Ok(Method::Peck(Pecking { breaks, way, removal, ..self.shorter_steps(cut) }))
     }
@@ -158,7 +160,7 @@ impl CycleCall<'_> {
         let given = self.given.has(RETRACT_FEED);
         let back = if given { self.retract_feed(RETRACT_FEED, Some(cut.feed))? } else { None };
         // Chips are removed at rapid traverse; Q208 is for the way out of the finished hole.
-        let removal = Removal { back: None, dwell: 0.0, ahead: Ahead::Evenly(ahead), last: Some(back) };
+        let removal = Removal { back: None, dwell: 0.0, ahead: AdvancedStop::Evenly(ahead), last: Some(back) };
         Ok(Method::Peck(Pecking {
             from: self.given.length(DEEPENED),
             breaks: self.breaks_by_depth(),

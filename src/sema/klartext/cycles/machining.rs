@@ -25,7 +25,7 @@ pub(super) const OVERLAPS: std::ops::RangeInclusive<f64> = 0.1..=1.9999;
 
 /// What Q215 asks for.
 #[derive(Debug, Clone, Copy)]
-pub(in super::super) struct Asked {
+pub(in super::super) struct Machining {
     pub rough: bool,
     pub wall: bool,
     pub floor: bool,
@@ -43,7 +43,7 @@ pub(in super::super) enum Plunging {
     Vertical,
     /// Greatest angle of the way.
     Helix(Deg),
-    Sway(Deg),
+    Ramp(Deg),
 }
 
 impl Plunging {
@@ -51,7 +51,7 @@ impl Plunging {
     pub fn along(self) -> Insertion {
         match self {
             Plunging::Vertical => Insertion::Vertical,
-            Plunging::Helix(angle) | Plunging::Sway(angle) => Insertion::Sway { angle, stroke: None },
+            Plunging::Helix(angle) | Plunging::Ramp(angle) => Insertion::Ramp { angle, stroke: None },
         }
     }
 }
@@ -174,7 +174,7 @@ impl CycleCall<'_> {
     }
 
     /// Roughing and finishing by Q215 and the allowances; nothing where nothing is left to do.
-    pub fn asked(&self, mill: &Mill) -> Made<Option<Asked>> {
+    pub fn asked(&self, mill: &Mill) -> Made<Option<Machining>> {
         let (allowance, step) = (self.given.length(SIDE_ALLOWANCE), self.given.length(FINISHING_INFEED));
         let feed = self.feed_if(FINISHING_FEED, mill.feeds.plane)?;
         if self.leaves_nothing_to_finish() {
@@ -184,7 +184,7 @@ impl CycleCall<'_> {
         let operation = self.given.whole(OPERATION);
         let finishes = operation != 1;
         let (wall, floor) = (finishes && allowance > 0.0, finishes && mill.heights.allowance > 0.0);
-        Ok(Some(Asked { rough: operation != 2, wall, floor, allowance, step, feed }))
+        Ok(Some(Machining { rough: operation != 2, wall, floor, allowance, step, feed }))
     }
 
     /// A wider `allowance` than `most` would leave stock between roughing and finishing.
@@ -253,7 +253,7 @@ impl CycleCall<'_> {
         Ok(match angle {
             None => Plunging::Vertical,
             Some(angle) if kind == 1 => Plunging::Helix(angle),
-            Some(angle) => Plunging::Sway(angle),
+            Some(angle) => Plunging::Ramp(angle),
         })
     }
 

@@ -3,7 +3,7 @@
 use crate::sema::cycle::row::{Kind, Name, Parameter, Rule, Signature, Status};
 
 use super::drilling::{FEED, PLUNGE};
-use super::{ABOVE_0, Nature, Plan, REMOVE, Requires, Row, q};
+use super::{ABOVE_0, CycleKind, Plan, REMOVE, Requires, Row, q};
 
 pub(in super::super) const MILLING_FEED: Name = Name::Q(207);
 pub(in super::super) const OPERATION: Name = Name::Q(215);
@@ -60,5 +60,5 @@ pub(super) const fn cycle(
     parameters: &'static [Parameter],
 ) -> Row {
     let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
-    Row { numbers: (number, number), nature: Nature::Milling(plan), requires: MILLING, signature, form: REMOVE }
+    Row { numbers: (number, number), nature: CycleKind::Milling(plan), requires: MILLING, signature, form: REMOVE }
 }

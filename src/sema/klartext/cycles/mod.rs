@@ -46,7 +46,7 @@ pub(super) use defined::DefinedCycle;
 pub(super) struct Row {
     /// The first and the last number of cycles that are known by one name.
     pub numbers: (u32, u32),
-    pub nature: Nature,
+    pub nature: CycleKind,
     /// What has to hold where it is called, in the order in which it is asked.
     pub requires: &'static [Requires],
     pub signature: Signature,
@@ -56,7 +56,7 @@ pub(super) struct Row {
 
 /// What a cycle is.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Nature {
+pub(super) enum CycleKind {
     DatumShift,
     Mirror,
     Dwell,
@@ -157,29 +157,33 @@ pub(super) struct Cut {
     pub dwell: f64,
 }
 
-impl Nature {
+impl CycleKind {
     /// Does it act at once, so that what it says would be lost if it were not taken?
     pub fn acts(self) -> bool {
         !self.is_machining()
             && !matches!(
                 self,
-                Nature::Pattern(_) | Nature::Setting(_) | Nature::Data | Nature::Acting | Nature::Unknown
+                CycleKind::Pattern(_)
+                    | CycleKind::Setting(_)
+                    | CycleKind::Data
+                    | CycleKind::Acting
+                    | CycleKind::Unknown
             )
     }
 
     /// Does it run when it is called?
     pub fn is_machining(self) -> bool {
-        self.runs() || matches!(self, Nature::Machining)
+        self.runs() || matches!(self, CycleKind::Machining)
     }
 
     /// Is it compiled where it is called?
     pub fn runs(self) -> bool {
-        matches!(self, Nature::Drilling(_) | Nature::Milling(_))
+        matches!(self, CycleKind::Drilling(_) | CycleKind::Milling(_))
     }
 
     pub fn drilling(self) -> Option<&'static Drilling> {
         match self {
-            Nature::Drilling(drilling) => Some(drilling),
+            CycleKind::Drilling(drilling) => Some(drilling),
             _ => None,
         }
     }
@@ -189,8 +193,12 @@ impl Row {
     /// Do its values stand in parts, `1.1`, `1.2`, …, which have to be there?
     pub fn has_parts(&self, number: u32) -> bool {
         match self.nature {
-            Nature::Preset | Nature::Pattern(_) | Nature::Data | Nature::Acting | Nature::Unknown => false,
-            Nature::Drilling(_) | Nature::Milling(_) | Nature::Setting(_) | Nature::Machining => number < 20,
+            CycleKind::Preset | CycleKind::Pattern(_) | CycleKind::Data | CycleKind::Acting | CycleKind::Unknown => {
+                false
+            }
+            CycleKind::Drilling(_) | CycleKind::Milling(_) | CycleKind::Setting(_) | CycleKind::Machining => {
+                number < 20
+            }
             _ => true,
         }
     }
@@ -207,7 +215,7 @@ impl Row {
 
     /// Does the tool axis of a drill or a tap carry it out alone?
     pub fn drills(&self) -> bool {
-        matches!(self.nature, Nature::Drilling(_))
+        matches!(self.nature, CycleKind::Drilling(_))
     }
 
     /// The parameters that a definition has to set.
@@ -266,7 +274,7 @@ pub(super) fn find(number: u32) -> &'static Row {
 
 const UNKNOWN: Row = Row {
     numbers: (0, 0),
-    nature: Nature::Unknown,
+    nature: CycleKind::Unknown,
     requires: &[],
     signature: Signature { name: "", what: "", status: Status::Refused { code: "P9010" }, source: "", parameters: &[] },
     form: REMOVE,

@@ -4,7 +4,7 @@
 
 use crate::sema::cycle::row::{Signature, Status};
 
-use super::{Nature, REMOVE, Row};
+use super::{CycleKind, REMOVE, Row};
 
 /// Runs when it is called.
 const fn named(number: u32, name: &'static str, what: &'static str) -> Row {
@@ -12,23 +12,28 @@ const fn named(number: u32, name: &'static str, what: &'static str) -> Row {
 }
 
 const fn group(first: u32, last: u32, name: &'static str, what: &'static str) -> Row {
-    row((first, last), name, what, (Nature::Machining, REFUSED))
+    row((first, last), name, what, (CycleKind::Machining, REFUSED))
 }
 
 /// Acts where it is defined.
 const fn acting(numbers: (u32, u32), name: &'static str, what: &'static str) -> Row {
-    row(numbers, name, what, (Nature::Acting, REFUSED))
+    row(numbers, name, what, (CycleKind::Acting, REFUSED))
 }
 
 /// Says what other cycles of this list use.
 const fn data(numbers: (u32, u32), name: &'static str, what: &'static str) -> Row {
     let read = Status::Checked { code: "P9010", why: "read, and the cycles that use it are refused" };
-    row(numbers, name, what, (Nature::Data, read))
+    row(numbers, name, what, (CycleKind::Data, read))
 }
 
 const REFUSED: Status = Status::Refused { code: "P9010" };
 
-const fn row(numbers: (u32, u32), name: &'static str, what: &'static str, (nature, status): (Nature, Status)) -> Row {
+const fn row(
+    numbers: (u32, u32),
+    name: &'static str,
+    what: &'static str,
+    (nature, status): (CycleKind, Status),
+) -> Row {
     let signature = Signature { name, what, status, source: "", parameters: &[] };
     Row { numbers, nature, requires: &[], signature, form: REMOVE }
 }

@@ -6,7 +6,7 @@
 use crate::diag::codes;
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
-use crate::ir::cycle::pocket::{Between, Insertion, Pocket, Shape, Strategy};
+use crate::ir::cycle::pocket::{Insertion, LevelChange, Pocket, Shape, Strategy};
 use crate::ir::cycle::{Cycle, LongHole};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::cycle::call::Made;
@@ -14,7 +14,7 @@ use crate::sema::cycle::row::{Kind, Name, Parameter, Rule, Signature, Status};
 
 use super::call::CycleCall;
 use super::milling::MILLING;
-use super::{Nature, Plan, Planned, Row};
+use super::{CycleKind, Plan, Planned, Row};
 
 /// Parts that all of them have.
 const STEP: Name = Name::Part(3);
@@ -48,7 +48,7 @@ const fn cycle(
     parameters: &'static [Parameter],
 ) -> Row {
     let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
-    Row { numbers: (number, number), nature: Nature::Milling(plan), requires: MILLING, signature, form }
+    Row { numbers: (number, number), nature: CycleKind::Milling(plan), requires: MILLING, signature, form }
 }
 
 pub(super) const ROWS: &[Row] = &[
@@ -171,7 +171,7 @@ impl CycleCall<'_> {
             finish: None,
             cleared: None,
             transfer: None,
-            between: Between::Lifted,
+            between: LevelChange::Lifted,
             home: Some(start),
         };
         self.milled(pocket)

@@ -6,7 +6,7 @@ use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Kind, Name, Parameter, Rule, Signature, Status};
 
 use super::call::CycleCall;
-use super::{AT_SURFACE, Nature, REMOVE, Row, SECOND, SET_UP, q};
+use super::{AT_SURFACE, CycleKind, REMOVE, Row, SECOND, SET_UP, q};
 
 pub(in super::super) const CENTER: (Name, Name) = (Name::Q(216), Name::Q(217));
 pub(in super::super) const TURN: Name = Name::Q(224);
@@ -37,7 +37,7 @@ const Q301: Parameter =
 pub(super) const ROWS: &[Row] = &[
     Row {
         numbers: (220, 220),
-        nature: Nature::Pattern(Some(|call| call.polar_places())),
+        nature: CycleKind::Pattern(Some(|call| call.polar_places())),
         requires: &[],
         signature: Signature {
             name: "CYCL DEF 220",
@@ -63,7 +63,7 @@ pub(super) const ROWS: &[Row] = &[
     },
     Row {
         numbers: (221, 221),
-        nature: Nature::Pattern(Some(|call| call.grid_places())),
+        nature: CycleKind::Pattern(Some(|call| call.grid_places())),
         requires: &[],
         signature: Signature {
             name: "CYCL DEF 221",
@@ -88,7 +88,7 @@ pub(super) const ROWS: &[Row] = &[
     },
     Row {
         numbers: (224, 224),
-        nature: Nature::Pattern(None),
+        nature: CycleKind::Pattern(None),
         requires: &[],
         signature: Signature {
             name: "CYCL DEF 224",

@@ -8,13 +8,13 @@ use crate::diag::codes;
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{MOST_LEVELS, Mill, Place, parts};
-use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Room, Shape, Strategy};
+use crate::ir::cycle::pocket::{Finish, Insertion, LevelChange, Pocket, Room, Shape, Strategy, WallApproach};
 use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Kind, Name, Rule};
 
 use super::call::{By, CycleCall};
 use super::drilling::Q201;
-use super::machining::{Asked, Plunging, shown};
+use super::machining::{Machining, Plunging, shown};
 use super::milling::{
     CORNER, DIAMETER, FIRST_SIDE, POSITION, Q202, Q206, Q207, Q215, Q338, Q351, Q366, Q368, Q369, Q370, Q385, Q439,
     SECOND_SIDE, TURN, cycle,
@@ -218,7 +218,7 @@ impl CycleCall<'_> {
     }
 
     /// What all of them take.
-    fn pocket_of(&self) -> Made<Option<(Mill, Asked)>> {
+    fn pocket_of(&self) -> Made<Option<(Mill, Machining)>> {
         let Some(mill) = self.cutter_of()? else { return Ok(None) };
         self.feed_of_centre()?;
         let Some(asked) = self.asked(&mill)? else { return Ok(None) };
@@ -258,7 +258,7 @@ impl CycleCall<'_> {
     }
 
     /// A pocket that is entered straight down.
-    pub fn pocket(&self, mill: Mill, asked: Asked, shape: Shape, (place, width): (Place, f64)) -> Made<Pocket> {
+    pub fn pocket(&self, mill: Mill, asked: Machining, shape: Shape, (place, width): (Place, f64)) -> Made<Pocket> {
         let room = self.room(&shape, mill.radius)?;
         // Finishing enters through what roughing has cleared, too.
         if (asked.rough || asked.wall) && room - asked.allowance < -1e-9 {
@@ -274,7 +274,7 @@ impl CycleCall<'_> {
             feed: asked.feed,
             step: asked.step,
             speed: None,
-            onto: Onto::Quarter(room / 2.0),
+            onto: WallApproach::Quarter(room / 2.0),
             inserts: true,
         });
         Ok(Pocket {
@@ -290,7 +290,7 @@ impl CycleCall<'_> {
             finish,
             cleared: None,
             transfer: None,
-            between: Between::Lifted,
+            between: LevelChange::Lifted,
             home: None,
         })
     }
@@ -312,7 +312,7 @@ impl CycleCall<'_> {
                 }
                 Ok(Insertion::Helix { radius: about, pitch })
             }
-            Plunging::Sway(angle) => {
+            Plunging::Ramp(angle) => {
                 let stroke = match room {
                     Room::Rectangle([x, y]) => (2.0 * (x - y).abs()).max(2.0 * x.max(y) / 3.0),
                     Room::Around(half) => 2.0 * half / 3.0,
@@ -321,7 +321,7 @@ impl CycleCall<'_> {
                 if stroke < SMALLEST_WAY || parts(deep, stroke * libm::tan(angle.radians())) > MOST_LEVELS {
                     return self.refuse(codes::K2903::no_room_for_plunging(&2));
                 }
-                Ok(Insertion::Sway { angle, stroke: Some(stroke) })
+                Ok(Insertion::Ramp { angle, stroke: Some(stroke) })
             }
         }
     }
@@ -329,7 +329,7 @@ impl CycleCall<'_> {
     /// The way into a slot, along its middle line.
     fn plunging_along(&self, pocket: &Pocket, length: f64) -> Made<Insertion> {
         let insertion = self.plunging()?.along();
-        if let Insertion::Sway { angle, .. } = insertion {
+        if let Insertion::Ramp { angle, .. } = insertion {
             let deep = pocket.mill.heights.step.min(pocket.mill.heights.way());
             if length < SMALLEST_WAY || parts(deep, length * libm::tan(angle.radians())) > MOST_LEVELS {
                 return self.refuse(codes::K2903::no_room_for_plunging(&2));

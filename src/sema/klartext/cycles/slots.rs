@@ -8,7 +8,7 @@ use core::f64::consts::PI;
 use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{Heights, Mill, Place};
-use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Shape, Strategy};
+use crate::ir::cycle::pocket::{Finish, Insertion, LevelChange, Pocket, Shape, Strategy, WallApproach};
 use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Kind, Parameter, Rule};
 
@@ -118,7 +118,7 @@ impl CycleCall<'_> {
             feed: mill.feeds.plane,
             step,
             speed: None,
-            onto: Onto::Semicircle,
+            onto: WallApproach::Semicircle,
             inserts: false,
         };
         let pocket = Pocket {
@@ -135,7 +135,7 @@ impl CycleCall<'_> {
             finish: finishes.then_some(finish),
             cleared: None,
             transfer: None,
-            between: Between::Lifted,
+            between: LevelChange::Lifted,
             home: None,
         };
         let home = pocket.ends_in_the_middle().then(|| place.point(shape.middle()));

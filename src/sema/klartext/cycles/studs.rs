@@ -12,7 +12,7 @@ use crate::sema::cycle::row::{Kind, Name, Parameter, Rule};
 
 use super::call::CycleCall;
 use super::drilling::Q201;
-use super::machining::{Asked, shown};
+use super::machining::{Machining, shown};
 use super::milling::{
     CORNER, DIAMETER, FIRST_SIDE, OPERATION, POSITION, Q202, Q206, Q207, Q338, Q351, Q368, Q369, Q370, Q385,
     SECOND_SIDE, TURN, cycle,
@@ -170,15 +170,15 @@ impl CycleCall<'_> {
     }
 
     /// What all take; older definitions have no Q215 and rough.
-    fn stud_of(&self) -> Made<Option<(Mill, Asked)>> {
+    fn stud_of(&self) -> Made<Option<(Mill, Machining)>> {
         let Some(mill) = self.cutter_of()? else { return Ok(None) };
         let Some(asked) = self.asked(&mill)? else { return Ok(None) };
-        let asked = if self.given.has(OPERATION) { asked } else { Asked { wall: false, floor: false, ..asked } };
+        let asked = if self.given.has(OPERATION) { asked } else { Machining { wall: false, floor: false, ..asked } };
         Ok(Some((mill, asked)))
     }
 
-    fn stud(&self, (mill, asked): (Mill, Asked), place: Place, shape: Shape, blank: Blank) -> Made<Planned> {
-        let Asked { rough, wall, floor, allowance, step, feed } = asked;
+    fn stud(&self, (mill, asked): (Mill, Machining), place: Place, shape: Shape, blank: Blank) -> Made<Planned> {
+        let Machining { rough, wall, floor, allowance, step, feed } = asked;
         if wall && blank.stock > 2.0 * mill.radius {
             self.finishing_meets_roughing((allowance, 2.0 * mill.radius), mill.radius)?;
         }

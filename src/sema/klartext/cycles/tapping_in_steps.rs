@@ -8,14 +8,14 @@ use crate::sema::cycle::row::{Kind, Name, Signature, Status};
 
 use super::call::CycleCall;
 use super::drilling::{ANGLE, BREAK_DEPTH, BREAK_WAY, Q201, Q239, TAPPING};
-use super::{AT_SURFACE, Cut, Drilling, Nature, REMOVE, Row, SECOND, SET_UP, q};
+use super::{AT_SURFACE, Cut, CycleKind, Drilling, REMOVE, Row, SECOND, SET_UP, q};
 
 /// Factor on the speed of the spindle on the way back.
 const BACK_FACTOR: Name = Name::Q(403);
 
 pub(super) const ROWS: &[Row] = &[Row {
     numbers: (209, 209),
-    nature: Nature::Drilling(&Drilling {
+    nature: CycleKind::Drilling(&Drilling {
         method: |call, cut| call.tapping_in_steps(cut),
         feed: None,
         dwell: None,

@@ -6,7 +6,7 @@ use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::geo::tolerance;
 use crate::ir::Feed;
-use crate::ir::cycle::drilling::{Ahead, Levels, Method};
+use crate::ir::cycle::drilling::{AdvancedStop, Levels, Method};
 use crate::ir::cycle::milling::{Feeds, Mill, Place};
 use crate::ir::cycle::thread_milling::{Positioning, Side, Sink, Stage, ThreadMilling, Turns, Ways};
 use crate::ir::cycle::{Cycle, Drilling};
@@ -71,7 +71,7 @@ impl CycleCall<'_> {
         let mut peck = steps(self.given.length(PLUNGE), (0.0, 0.0), 0.0);
         peck.breaks = self.breaks_by_depth();
         peck.way = self.given.length(BREAK_WAY);
-        peck.removal.ahead = Ahead::Evenly([self.given.length(AHEAD_ABOVE); 2]);
+        peck.removal.ahead = AdvancedStop::Evenly([self.given.length(AHEAD_ABOVE); 2]);
         let feed = self.feed(FEED)?;
         let axis = Axis::ALL[thread.mill.plane.axes().2];
         thread.before.push(Stage::Drill(Drilling { axis, levels, feed, entry: None, method: Method::Peck(peck) }));

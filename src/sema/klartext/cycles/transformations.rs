@@ -3,7 +3,7 @@
 
 use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
-use super::{Nature, REMOVE, Row, q};
+use super::{CycleKind, REMOVE, Row, q};
 
 pub(in super::super) const DATUM: Name = Name::Q(339);
 
@@ -11,7 +11,7 @@ const MANUAL: &str = "HEIDENHAIN iTNC 530 conversational programming";
 
 const fn acting(
     number: u32,
-    nature: Nature,
+    nature: CycleKind,
     name: &'static str,
     what: &'static str,
     parameters: &'static [Parameter],
@@ -24,7 +24,7 @@ const fn acting(
 const fn data(number: u32, name: &'static str, what: &'static str) -> Row {
     let status = Status::Checked { code: "P9010", why: "read, and the cycles that use it are refused" };
     let signature = Signature { name, what, status, source: "", parameters: &[] };
-    Row { numbers: (number, number), nature: Nature::Data, requires: &[], signature, form: REMOVE }
+    Row { numbers: (number, number), nature: CycleKind::Data, requires: &[], signature, form: REMOVE }
 }
 
 const fn part(kind: Kind, what: &'static str) -> Parameter {
@@ -34,7 +34,7 @@ const fn part(kind: Kind, what: &'static str) -> Parameter {
 pub(super) const ROWS: &[Row] = &[
     acting(
         7,
-        Nature::DatumShift,
+        CycleKind::DatumShift,
         "CYCL DEF 7",
         "DATUM SHIFT",
         &[part(Kind::Length, "shift by axis, or `#` and the line of a datum table")],
@@ -42,7 +42,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         8,
-        Nature::Mirror,
+        CycleKind::Mirror,
         "CYCL DEF 8",
         "MIRROR IMAGE",
         &[part(Kind::Either, "letters of the axes; none ends it")],
@@ -50,7 +50,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         9,
-        Nature::Dwell,
+        CycleKind::Dwell,
         "CYCL DEF 9",
         "DWELL TIME",
         &[part(Kind::Dwell, "0 to 3600 seconds").needed()],
@@ -58,7 +58,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         10,
-        Nature::Rotation,
+        CycleKind::Rotation,
         "CYCL DEF 10",
         "ROTATION",
         &[part(Kind::Angle, "angle after ROT, or IROT for an incremental one").needed()],
@@ -66,7 +66,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         11,
-        Nature::Scaling,
+        CycleKind::Scaling,
         "CYCL DEF 11",
         "SCALING",
         &[part(Kind::Number, "factor after SCL").needed()],
@@ -74,7 +74,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         12,
-        Nature::ProgramCall,
+        CycleKind::ProgramCall,
         "CYCL DEF 12",
         "PGM CALL",
         &[part(Kind::Text, "name of the program that calls run").needed()],
@@ -82,7 +82,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         13,
-        Nature::Orientation,
+        CycleKind::Orientation,
         "CYCL DEF 13",
         "ORIENTATION",
         &[part(Kind::Angle, "0 to 360 degrees, taken by M19").needed()],
@@ -90,7 +90,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         19,
-        Nature::Tilt,
+        CycleKind::Tilt,
         "CYCL DEF 19",
         "WORKING PLANE",
         &[part(Kind::Angle, "angles of the rotary axes; all of them 0")],
@@ -98,7 +98,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         26,
-        Nature::AxisScaling,
+        CycleKind::AxisScaling,
         "CYCL DEF 26",
         "AXIS-SPECIFIC SCALING",
         &[part(Kind::Number, "factor by axis, and the centre after CCX, CCY, CCZ")],
@@ -106,7 +106,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         32,
-        Nature::Tolerance,
+        CycleKind::Tolerance,
         "CYCL DEF 32",
         "TOLERANCE",
         &[part(Kind::Length, "tolerance of the path after T; without it the setting of the machine")],
@@ -114,7 +114,7 @@ pub(super) const ROWS: &[Row] = &[
     ),
     acting(
         247,
-        Nature::Preset,
+        CycleKind::Preset,
         "CYCL DEF 247",
         "DATUM SETTING",
         &[q(DATUM, Kind::Count, "number of the work offset: 1 is G54").needed()],

@@ -6,7 +6,7 @@ use crate::diag::{Label, codes};
 use crate::geo::area::{Relation, relation};
 use crate::geo::{Deg, Element, grid};
 use crate::ir::captured::Captured;
-use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
+use crate::ir::cycle::pocket::{Finish, Insertion, WallApproach};
 use crate::ir::cycle::region::RegionFault;
 use crate::ir::cycle::{Cycle, Family, Region};
 
@@ -73,7 +73,7 @@ impl CycleCall<'_> {
                 feed: mill.feeds.plane,
                 step: mill.heights.step,
                 speed: None,
-                onto: Onto::Usual,
+                onto: WallApproach::Usual,
                 inserts: false,
             }),
             lifts_high,
@@ -100,7 +100,7 @@ impl CycleCall<'_> {
                     let place = given.argument(EW);
                     return self.refuse_argument(EW, codes::P2090::angle_of_insertion_ew_is_above_0(&place));
                 }
-                Insertion::Sway { angle: Deg(angle), stroke: None }
+                Insertion::Ramp { angle: Deg(angle), stroke: None }
             }
             _ => return self.no_such_machining("tens 0 straight down, 1 on a helix, 2 to and fro"),
         })

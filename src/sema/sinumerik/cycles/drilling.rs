@@ -6,7 +6,7 @@ use crate::diag::{Answer, codes};
 use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{
-    Ahead, Bore, Breaks, Chip, Degression, DrillingFault, Levels, Method, Pecking, Tap, TapStep,
+    AdvancedStop, Bore, Breaks, Chip, Degression, DrillingFault, Levels, Method, Pecking, Tap, TapStep,
 };
 use crate::ir::cycle::{Drilling, Family};
 use crate::ir::function::{Spindle, Turn};
@@ -148,7 +148,7 @@ impl CycleCall<'_> {
                     self.unused(VRT, "when VARI removes the chip");
                 }
                 if let Some(ahead) = self.given.length_if(DIS1).filter(|way| *way > 0.0) {
-                    peck.removal.ahead = Ahead::Evenly([ahead; 2]);
+                    peck.removal.ahead = AdvancedStop::Evenly([ahead; 2]);
                 }
             }
         }

@@ -6,7 +6,7 @@ use crate::diag::{Answer, codes};
 use crate::geo::Element;
 use crate::geo::soft::Shape;
 use crate::ir::captured::Captured;
-use crate::ir::cycle::path_milling::{Between, Form, Lift, PathFault, Way};
+use crate::ir::cycle::path_milling::{Form, LevelChange, Lift, PathFault, Way};
 use crate::ir::cycle::{Cycle, Family, PathMilling};
 use crate::ir::{Compensation, Side};
 use crate::machine::options::cycles::BackwardSide;
@@ -75,7 +75,7 @@ impl CycleCall<'_> {
             approach: self.soft_way(AS1, LP1, side)?,
             leave: self.soft_way(AS2, LP2, side)?,
             finishes_floor,
-            between: Between { lift, feed },
+            between: LevelChange { lift, feed },
             alternates: false,
         };
         if let Err(fault) = path.check() {

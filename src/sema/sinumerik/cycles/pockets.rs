@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::cycle::pocket::{
-    Between, Cleared, Finish, Insertion, Onto, Pocket, PocketFault, Shape, Speed, Strategy,
+    Cleared, Finish, Insertion, LevelChange, Pocket, PocketFault, Shape, Speed, Strategy, WallApproach,
 };
 use crate::ir::cycle::{Cycle, Family, LongHole};
 
@@ -31,7 +31,7 @@ const SMALLEST_ARM: f64 = 0.1;
 
 /// What the units of `_VARI` ask for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Asked {
+struct Machining {
     rough: bool,
     wall: bool,
     floor: bool,
@@ -218,7 +218,7 @@ impl CycleCall<'_> {
     }
 
     /// What the units of `_VARI` ask for, among `known` digits.
-    fn asked(&self, known: &[i32]) -> Made<Asked> {
+    fn asked(&self, known: &[i32]) -> Made<Machining> {
         let unit = self.given.digit(VARI, 0);
         if unit == 5 {
             return self.refuse_argument(VARI, codes::S9015::chamfering_units_of_vari_is_not_supported());
@@ -229,18 +229,18 @@ impl CycleCall<'_> {
             return self.no_such_machining("units 1 roughs, 2 finishes wall and floor, 3 the floor, 4 the wall");
         }
         Ok(match unit {
-            0 => Asked { rough: true, wall: true, floor: true },
-            1 => Asked { rough: true, wall: false, floor: false },
-            2 => Asked { rough: false, wall: true, floor: true },
-            3 => Asked { rough: false, wall: false, floor: true },
-            _ => Asked { rough: false, wall: true, floor: false },
+            0 => Machining { rough: true, wall: true, floor: true },
+            1 => Machining { rough: true, wall: false, floor: false },
+            2 => Machining { rough: false, wall: true, floor: true },
+            3 => Machining { rough: false, wall: false, floor: true },
+            _ => Machining { rough: false, wall: true, floor: false },
         })
     }
 
     /// The same for the cycles that know 0, and whose floor has an allowance in newer software only.
-    fn asked_or_complete(&self) -> Made<Asked> {
+    fn asked_or_complete(&self) -> Made<Machining> {
         let asked = self.asked(&[0, 1, 2, 4])?;
-        Ok(Asked { floor: asked.floor && self.given.magnitude(FALD) > 0.0, ..asked })
+        Ok(Machining { floor: asked.floor && self.given.magnitude(FALD) > 0.0, ..asked })
     }
 
     pub(super) fn no_such_machining<T>(&self, help: &str) -> Made<T> {
@@ -249,14 +249,14 @@ impl CycleCall<'_> {
     }
 
     /// What all pockets and slots take.
-    fn pocket(&self, mill: Mill, shape: Shape, places: Vec<Place>, asked: Asked) -> Made<Pocket> {
+    fn pocket(&self, mill: Mill, shape: Shape, places: Vec<Place>, asked: Machining) -> Made<Pocket> {
         let finish = (asked.wall || asked.floor).then_some(Finish {
             wall: asked.wall,
             floor: asked.floor,
             feed: mill.feeds.plane,
             step: mill.heights.step,
             speed: None,
-            onto: Onto::Usual,
+            onto: WallApproach::Usual,
             inserts: false,
         });
         let width = if self.given.argument(MIDA) > 0 {
@@ -277,7 +277,7 @@ impl CycleCall<'_> {
             finish,
             cleared: None,
             transfer: None,
-            between: Between::Straight,
+            between: LevelChange::Straight,
             home: None,
         })
     }
@@ -348,7 +348,7 @@ impl CycleCall<'_> {
                     let place = given.argument(RAD1);
                     return self.refuse_argument(RAD1, codes::P2090::angle_of_insertion_rad1_is_above_0(&place));
                 }
-                Insertion::Sway { angle: Deg(angle), stroke: None }
+                Insertion::Ramp { angle: Deg(angle), stroke: None }
             }
         })
     }
@@ -373,7 +373,7 @@ impl CycleCall<'_> {
                     return self
                         .refuse_argument(STA2, codes::P2090::angle_sta2_is_below_90(&self.given.argument(STA2)));
                 }
-                Insertion::Sway { angle: Deg(angle), stroke: None }
+                Insertion::Ramp { angle: Deg(angle), stroke: None }
             }
             _ => return self.no_such_machining("tens 0 and 1 straight down, 3 to and fro"),
         })
@@ -466,7 +466,7 @@ impl CycleCall<'_> {
                     self.leaves_open(codes::S8230::radius_of_helix_is_mm(&made));
                 }
             }
-            Insertion::Sway { .. } if pocket.rough && pocket.sway_room() < SMALLEST_ARM => {
+            Insertion::Ramp { .. } if pocket.rough && pocket.sway_room() < SMALLEST_ARM => {
                 self.leaves_open(codes::S8230::there_is_no_room_to_go());
             }
             _ => {}
