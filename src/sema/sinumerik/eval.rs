@@ -286,7 +286,8 @@ impl Run<'_> {
     /// before what `[variables]` says.
     fn found_by_cycle(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Option<Val>> {
         let word = self.channel.core.symbols.name(name);
-        let Some(result) = measuring_data::find(word).filter(|_| word.starts_with('_')) else { return Ok(None) };
+        // Few names begin so: the others are not looked up.
+        let Some(result) = word.starts_with('_').then(|| measuring_data::find(word)).flatten() else { return Ok(None) };
         let word = word.to_owned();
         let left_out = result && self.channel.measured.cycle.is_some();
         if !left_out && self.known_variable(name).is_some() {
