@@ -17,6 +17,8 @@ pub struct Transformation {
     pub surface: Surface,
     /// The rotary axis of the workpiece, which turns about Z.
     pub rotary: Axis,
+    /// Where the control counts that axis to stand at the start, in degrees; `None` where nobody knows in which turn it counts.
+    pub starts: Option<f64>,
     /// What the user may choose where the tool passes the axis of rotation too closely.
     pub at_pole: &'static Ask,
 }
@@ -56,7 +58,7 @@ impl Transformation {
             }
             // Beyond half a turn the control may count on or begin anew.
             Surface::Mantle { diameter } => {
-                if let Some(angle) = angle.filter(|angle| angle.abs() <= 180.0) {
+                if let Some(angle) = self.starts.filter(|angle| angle.abs() <= 180.0) {
                     seen.set(Axis::Y, angle / Transformation::degrees_per_mm(diameter));
                 }
             }
@@ -95,7 +97,7 @@ mod tests {
 
     #[test]
     fn a_face_is_seen_about_the_axis_of_rotation() {
-        let face = Transformation { surface: Surface::Face, rotary: Axis::C, at_pole: &NOTHING };
+        let face = Transformation { surface: Surface::Face, rotary: Axis::C, starts: None, at_pole: &NOTHING };
         let seen = face.seen(&real(13.0, 112.619_864_948_040_43));
         let (x, y) = (seen.get(Axis::X).unwrap(), seen.get(Axis::Y).unwrap());
         assert!((x + 5.0).abs() < 1e-9 && (y - 12.0).abs() < 1e-9, "{x} {y}");
@@ -105,10 +107,18 @@ mod tests {
 
     #[test]
     fn a_mantle_is_seen_up_to_half_a_turn() {
-        let mantle = Transformation { surface: Surface::Mantle { diameter: 80.0 }, rotary: Axis::C, at_pole: &NOTHING };
-        let seen = mantle.seen(&real(40.0, 14.323_944_878_270_58));
+        let mantle = |starts| Transformation {
+            surface: Surface::Mantle { diameter: 80.0 },
+            rotary: Axis::C,
+            starts,
+            at_pole: &NOTHING,
+        };
+        let seen = mantle(Some(14.323_944_878_270_58)).seen(&real(40.0, 14.323_944_878_270_58));
         assert!((seen.get(Axis::Y).unwrap() - 10.0).abs() < 1e-9);
-        assert_eq!(mantle.seen(&real(40.0, 200.0)).get(Axis::Y), None);
+        assert_eq!(mantle(Some(200.0)).seen(&real(40.0, 200.0)).get(Axis::Y), None);
+        // Where the output stands says nothing of how the control counts.
+        assert_eq!(mantle(None).seen(&real(40.0, 20.0)).get(Axis::Y), None);
+        let mantle = mantle(None);
         assert_eq!(mantle.left(&seen).get(Axis::X), Some(40.0));
     }
 }

@@ -49,8 +49,8 @@ impl Transformer {
     /// Begins where the machine stands at `real`.
     pub fn new(by: Transformation, real: &Pos) -> Transformer {
         let (at, angle) = (by.seen(real), real.get(by.rotary));
-        // Where the program sees Y the mantle lies as the axis counts; otherwise the first move says how.
-        let turns = at.get(Axis::Y).map(|_| 0.0);
+        // Where the program sees Y the mantle lies as the control counts the axis; otherwise the first move says how.
+        let turns = at.get(Axis::Y).and_then(|_| Some(angle? - by.starts?));
         Transformer { by, at, angle, turns, quiet: false, parts: 0 }
     }
 

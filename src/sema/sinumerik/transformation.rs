@@ -10,6 +10,7 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::diameter::Diameter;
+use super::rotary::reduced;
 use super::vocabulary::OnSurface;
 use super::{Channel, Core, Outcome, State};
 
@@ -105,9 +106,12 @@ impl Channel<'_> {
         if !as_seen {
             has_axes_for(&self.core, &self.st, on, span)?;
         }
-        let by = Transformation { surface, rotary, at_pole: &AT_POLE };
-        self.st.transformation = Some(Transformed { by, as_seen });
         let frame = self.st.ctx.frame.clone();
+        // What counts modulo 360 stands in its first turn, however far the output has counted on.
+        let starts = frame.apply(self.st.position.at()).get(rotary);
+        let starts = if self.st.machine.modulo.contains(rotary) { starts.map(reduced) } else { starts };
+        let by = Transformation { surface, rotary, starts, at_pole: &AT_POLE };
+        self.st.transformation = Some(Transformed { by, as_seen });
         let seen = frame.unapply(&by.seen(&frame.apply(self.st.position.at())));
         self.st.axes_change(rotary);
         if as_seen {
