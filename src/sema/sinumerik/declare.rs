@@ -142,6 +142,7 @@ impl Run<'_> {
             return true;
         }
         let mut any = false;
+        let before = self.vars.global_names();
         let _ = self.units.list_programs(&mut self.channel.core, 0);
         for name in DEFINITION_FILES {
             // In an archive they lie between the programs.
@@ -176,7 +177,7 @@ impl Run<'_> {
             }
             self.read_definitions(file, None, u32::MAX);
         }
-        self.vars.definitions_end();
+        self.vars.definitions_end(&before);
         !any
     }
 

@@ -2,6 +2,8 @@
 //!
 //! Source: S 5.1 (docs/sources.md).
 
+use std::rc::Rc;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -87,7 +89,7 @@ pub(super) struct Vars {
     scopes: Vec<Scope>,
     global: FxHashMap<Symbol, Var>,
     /// What definition files define, as it starts.
-    defined: Option<std::rc::Rc<FxHashMap<Symbol, Var>>>,
+    defined: Option<Rc<FxHashMap<Symbol, Var>>>,
     values: usize,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_visible: bool,
@@ -265,9 +267,15 @@ impl Vars {
         }
     }
 
-    /// The definition files are read: what they define is there from now on, whatever is restored.
-    pub fn definitions_end(&mut self) {
-        self.defined = Some(std::rc::Rc::new(self.global.clone()));
+    /// Names of the global variables.
+    pub fn global_names(&self) -> FxHashSet<Symbol> {
+        self.global.keys().copied().collect()
+    }
+
+    /// The definition files are read, which define what was not there `before`: it is there from now on, whatever is restored.
+    pub fn definitions_end(&mut self, before: &FxHashSet<Symbol>) {
+        let defined = self.global.iter().filter(|(name, _)| !before.contains(name));
+        self.defined = Some(Rc::new(defined.map(|(name, var)| (*name, var.clone())).collect()));
     }
 
     /// Everything as it was, except that what was said is not said again, and that definition files are read once.
@@ -276,6 +284,9 @@ impl Vars {
         let met_within = defined.as_ref().filter(|_| before.defined.is_none()).cloned();
         *self = Vars { said, defined, ..before };
         for (name, var) in met_within.iter().flat_map(|defined| defined.iter()) {
+            if self.global.contains_key(name) {
+                continue;
+            }
             self.values += var.values.len();
             self.global.insert(*name, var.clone());
         }
