@@ -159,7 +159,7 @@ impl Run<'_> {
                 }
                 self.call_cycle_then("CYCL CALL", w.m())
             }
-            CallKind::At => self.call_cycle_at(block).inspect_err(|_| self.st.lose_all(&mut self.core)),
+            CallKind::At => self.call_cycle_at(block),
             CallKind::Pattern => self.call_pattern(block).inspect_err(|_| self.st.lose_all(&mut self.core)),
         }
     }
@@ -168,10 +168,11 @@ impl Run<'_> {
     fn call_cycle_at(&mut self, block: &Block) -> Outcome {
         self.cycles.set_modal(false);
         if self.cycles.program().is_some() {
-            return self.core.refuse(Where::Block, codes::P9010::cycl_call_pos_with_program_call());
+            let fault = codes::P9010::cycl_call_pos_with_program_call();
+            return self.st.refuse_motion(&mut self.core, Where::Block, fault);
         }
         let cycle = self.pattern_subject("CYCL CALL POS")?;
-        self.run_cycle_at(&cycle, block)
+        self.run_cycle_at(&cycle, block).inspect_err(|_| self.st.lose_all(&mut self.core))
     }
 }
 
