@@ -122,7 +122,7 @@ pub(super) fn explain(code: &str, format: ListFormat) -> Result<Exit, Trouble> {
     print(text.as_bytes())
 }
 
-/// What a code says of its faults, and what to do: once behind those that have it in common. A fault that is all quantity says nothing here.
+/// What a code says of its faults, and what to do: once, after those that share it. A fault that is all quantity says nothing here.
 fn wordings(code: &codes::Code) -> String {
     let says = |wording: &&Wording| wording.shown(wording.message).contains(char::is_alphabetic);
     let mut told = code.wordings.iter().filter(says).peekable();

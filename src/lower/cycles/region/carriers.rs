@@ -19,7 +19,7 @@ const NEAR: f64 = 2e-2;
 const SHORT: f64 = 2e-4;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum MachineAxes {
+enum Carrier {
     Line { at: Point2, along: Vec2 },
     Circle { center: Point2, radius: f64 },
 }
@@ -27,26 +27,25 @@ enum MachineAxes {
 /// The ring that was traced at a distance from the walls, with the points where its carriers meet. `None` where what was traced does not
 /// belong to the walls.
 pub fn settled(traced: &[Element], asked: f64, walls: &Walls) -> Option<Vec<Element>> {
-    let parts: Vec<(MachineAxes, Element)> = traced
+    let parts: Vec<(Carrier, Element)> = traced
         .iter()
         .filter(|element| element.length() > SHORT)
-        .map(|element| Some((MachineAxes::of(element, asked, walls)?, *element)))
+        .map(|element| Some((Carrier::of(element, asked, walls)?, *element)))
         .collect::<Option<_>>()?;
     let (first, last) = (parts.first()?, parts.last()?);
-    if parts.iter().all(|(machine_axes, _)| *machine_axes == first.0) {
-        let MachineAxes::Circle { center, radius } = first.0 else { return None };
+    if parts.iter().all(|(carrier, _)| *carrier == first.0) {
+        let Carrier::Circle { center, radius } = first.0 else { return None };
         let Element::Arc { sweep, .. } = first.1 else { return None };
         let from = Point2::new(center.x + radius, center.y);
         return Some(vec![Element::Arc { from, to: from, center, sweep: core::f64::consts::TAU.copysign(sweep) }]);
     }
-    // Elements on one machine_axes are one; the ring begins where two carriers meet.
-    let begins =
-        if first.0 == last.0 { parts.iter().position(|(machine_axes, _)| *machine_axes != first.0)? } else { 0 };
+    // Elements on one carrier are one; the ring begins where two carriers meet.
+    let begins = if first.0 == last.0 { parts.iter().position(|(carrier, _)| *carrier != first.0)? } else { 0 };
     let mut runs: Vec<Run> = Vec::with_capacity(parts.len());
-    for (machine_axes, element) in parts.iter().cycle().skip(begins).take(parts.len()) {
+    for (carrier, element) in parts.iter().cycle().skip(begins).take(parts.len()) {
         match runs.last_mut() {
-            Some(run) if run.on == *machine_axes => run.goes_on(element),
-            _ => runs.push(Run::new(*machine_axes, element)),
+            Some(run) if run.on == *carrier => run.goes_on(element),
+            _ => runs.push(Run::new(*carrier, element)),
         }
     }
     let count = runs.len();
@@ -59,9 +58,9 @@ pub fn settled(traced: &[Element], asked: f64, walls: &Walls) -> Option<Vec<Elem
     (0..count).map(|i| runs[i].between(meets[(i + count - 1) % count], meets[i])).collect()
 }
 
-/// Traced elements on one machine_axes, one after the other. Each of them may have a centre of its own next to that of the machine_axes.
+/// Traced elements on one carrier, one after the other. Each of them may have a centre of its own next to that of the carrier.
 struct Run {
-    on: MachineAxes,
+    on: Carrier,
     from: Point2,
     to: Point2,
     length: f64,
@@ -71,7 +70,7 @@ struct Run {
 }
 
 impl Run {
-    fn new(on: MachineAxes, element: &Element) -> Run {
+    fn new(on: Carrier, element: &Element) -> Run {
         let mut run =
             Run { on, from: element.from(), to: element.to(), length: 0.0, is_ccw: false, longest: f64::NEG_INFINITY };
         run.goes_on(element);
@@ -88,27 +87,27 @@ impl Run {
         }
     }
 
-    /// The part of the machine_axes from `from` to `to`; `None` where it is not what was traced.
+    /// The part of the carrier from `from` to `to`; `None` where it is not what was traced.
     fn between(&self, from: Point2, to: Point2) -> Option<Element> {
         let (made, turned) = match self.on {
-            MachineAxes::Circle { center, .. } => {
+            Carrier::Circle { center, .. } => {
                 (Element::Arc { from, to, center, sweep: arc::sweep(from, to, center, self.is_ccw) }, false)
             }
-            MachineAxes::Line { .. } => (Element::Line { from, to }, (to - from).dot(&(self.to - self.from)) <= 0.0),
+            Carrier::Line { .. } => (Element::Line { from, to }, (to - from).dot(&(self.to - self.from)) <= 0.0),
         };
         ((made.length() - self.length).abs() <= 2.0 * NEAR && !turned).then_some(made)
     }
 }
 
-impl MachineAxes {
+impl Carrier {
     /// The first wall, or else end of one, beside which the element lies: exactly, or nearly.
-    fn of(element: &Element, asked: f64, walls: &Walls) -> Option<MachineAxes> {
+    fn of(element: &Element, asked: f64, walls: &Walls) -> Option<Carrier> {
         let points = [0.0, 0.5, 1.0].map(|part| point_at(element, part));
         let round = matches!(element, Element::Arc { .. });
         let found = |beside: f64| {
-            let fits = |machine_axes: &MachineAxes| points.iter().all(|p| machine_axes.distance(*p) <= beside);
-            let wall = |wall| MachineAxes::beside(wall, points[1], asked, round).filter(&fits);
-            let corner = |wall: &Element| MachineAxes::Circle { center: wall.from(), radius: asked };
+            let fits = |carrier: &Carrier| points.iter().all(|p| carrier.distance(*p) <= beside);
+            let wall = |wall| Carrier::beside(wall, points[1], asked, round).filter(&fits);
+            let corner = |wall: &Element| Carrier::Circle { center: wall.from(), radius: asked };
             let corners = || walls.elements().iter().map(corner).filter(|_| round).find(fits);
             walls.elements().iter().find_map(wall).or_else(corners)
         };
@@ -116,17 +115,17 @@ impl MachineAxes {
     }
 
     /// What lies beside a wall, on the side of `p`.
-    fn beside(wall: &Element, p: Point2, asked: f64, round: bool) -> Option<MachineAxes> {
+    fn beside(wall: &Element, p: Point2, asked: f64, round: bool) -> Option<Carrier> {
         match *wall {
             Element::Line { from, to } if !round => {
                 let along = direction(to - from, 0.0)?;
                 let side = if cross(along, p - from) < 0.0 { -asked } else { asked };
-                Some(MachineAxes::Line { at: from + left(along) * side, along })
+                Some(Carrier::Line { at: from + left(along) * side, along })
             }
             Element::Arc { from, center, .. } if round => {
                 let wall = distance(from, center);
                 let radius = if distance(p, center) < wall { wall - asked } else { wall + asked };
-                (radius > 0.0).then_some(MachineAxes::Circle { center, radius })
+                (radius > 0.0).then_some(Carrier::Circle { center, radius })
             }
             Element::Line { .. } | Element::Arc { .. } => None,
         }
@@ -134,14 +133,14 @@ impl MachineAxes {
 
     fn distance(&self, p: Point2) -> f64 {
         match *self {
-            MachineAxes::Line { at, along } => cross(along, p - at).abs(),
-            MachineAxes::Circle { center, radius } => (distance(p, center) - radius).abs(),
+            Carrier::Line { at, along } => cross(along, p - at).abs(),
+            Carrier::Circle { center, radius } => (distance(p, center) - radius).abs(),
         }
     }
 
     /// Where both run on into each other beside a corner of the walls that hardly turns: drawings round tangential joints. Where they
     /// meet is not known there, and of no account.
-    fn passes_into(&self, next: &MachineAxes, p: Point2, asked: f64, walls: &Walls) -> Option<Point2> {
+    fn passes_into(&self, next: &Carrier, p: Point2, asked: f64, walls: &Walls) -> Option<Point2> {
         let corners = walls.elements().iter().map(Element::from);
         let feet =
             corners.filter(|corner| (distance(*corner, p) - asked).abs() <= BESIDE).map(|corner| self.foot(corner));
@@ -151,19 +150,19 @@ impl MachineAxes {
     /// The point of it next to `p`.
     fn foot(&self, p: Point2) -> Option<Point2> {
         match *self {
-            MachineAxes::Line { at, along } => Some(at + along * (p - at).dot(&along)),
-            MachineAxes::Circle { center, radius } => direction(p - center, 1e-9).map(|unit| center + unit * radius),
+            Carrier::Line { at, along } => Some(at + along * (p - at).dot(&along)),
+            Carrier::Circle { center, radius } => direction(p - center, 1e-9).map(|unit| center + unit * radius),
         }
     }
 
     /// Where two of them meet, next to `p`.
-    fn meets(&self, other: &MachineAxes, p: Point2) -> Option<Point2> {
+    fn meets(&self, other: &Carrier, p: Point2) -> Option<Point2> {
         let found = match (*self, *other) {
-            (MachineAxes::Line { at: a, along: u }, MachineAxes::Line { at: b, along: w }) => {
+            (Carrier::Line { at: a, along: u }, Carrier::Line { at: b, along: w }) => {
                 intersect::lines(a, u, b, w, 1e-9).map(|(s, _)| a + u * s)
             }
-            (MachineAxes::Line { at, along }, MachineAxes::Circle { center, radius })
-            | (MachineAxes::Circle { center, radius }, MachineAxes::Line { at, along }) => {
+            (Carrier::Line { at, along }, Carrier::Circle { center, radius })
+            | (Carrier::Circle { center, radius }, Carrier::Line { at, along }) => {
                 let foot = at + along * (center - at).dot(&along);
                 let off = distance(foot, center) - radius;
                 if off.abs() <= TOUCH {
@@ -172,7 +171,7 @@ impl MachineAxes {
                     intersect::line_circle(at, along, center, radius, BESIDE).map(|both| nearest(both, p))
                 }
             }
-            (MachineAxes::Circle { center: a, radius: ra }, MachineAxes::Circle { center: b, radius: rb }) => {
+            (Carrier::Circle { center: a, radius: ra }, Carrier::Circle { center: b, radius: rb }) => {
                 let between = distance(a, b);
                 let inner = (ra - rb).abs() - between;
                 if (between - ra - rb).abs() <= TOUCH || inner.abs() <= TOUCH {
