@@ -131,10 +131,6 @@ impl Item {
         }
     }
 
-    fn is_move(&self) -> bool {
-        matches!(self, Item::Move { .. })
-    }
-
     fn is(&self, act: &Act) -> bool {
         match (self, act) {
             (Item::Move { machine, .. }, Act::Move(mv, from)) => *machine == mv.machine && self.is_made_by(mv, from),
@@ -229,10 +225,12 @@ fn missed(line: &str, acts: &[Act]) -> Option<String> {
             Ok(item) => item,
             Err(why) => return Some(why),
         };
-        // Where no other move may be made, the next one is it.
-        let next_move = |act: &&Act| !(exactly && item.is_move()) || matches!(act, Act::Move(..));
-        let met = match exactly && item.is_move() {
-            true => rest.find(next_move).is_some_and(|act| item.is(act)),
+        // Where no other move may be made, the next one is it, and none stands in front of a function.
+        let met = match exactly {
+            true => {
+                let next = rest.by_ref().find(|act| matches!(act, Act::Move(..)) || item.is(act));
+                next.is_some_and(|act| item.is(act))
+            }
             false => rest.any(|act| item.is(act)),
         };
         if !met {
