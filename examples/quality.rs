@@ -146,13 +146,12 @@ fn counted_of_this_source(root: &Path, to_release: bool) -> Row {
     let counters: toml::Table = text.parse().expect("counters");
     let commit = |table: Option<&toml::Value>, key: &str| Some(table?.get(key)?.as_str()?.to_owned());
     let fuzzed = counters.get("fuzz").and_then(toml::Value::as_table).into_iter().flat_map(|fuzz| fuzz.values());
-    let mut commits: Vec<(&str, String)> =
-        fuzzed.filter_map(|target| Some(("fuzz", commit(Some(target), "since")?))).collect();
-    commits
-        .extend(["mutation", "coverage"].map(|name| (name, commit(counters.get(name), "commit").unwrap_or_default())));
+    let mut commits: Vec<(&str, Option<String>)> =
+        fuzzed.map(|target| ("fuzz", commit(Some(target), "since"))).collect();
+    commits.extend(["mutation", "coverage"].map(|name| (name, commit(counters.get(name), "commit"))));
     commits.dedup();
-    let ages: Vec<(&str, Option<u32>)> =
-        commits.iter().map(|(name, commit)| (*name, changes_since(root, commit))).collect();
+    let age = |commit: &Option<String>| commit.as_ref().and_then(|commit| changes_since(root, commit));
+    let ages: Vec<(&str, Option<u32>)> = commits.iter().map(|(name, commit)| (*name, age(commit))).collect();
     let shown: Vec<String> = ages
         .iter()
         .map(|(name, age)| {
@@ -168,11 +167,13 @@ fn counted_of_this_source(root: &Path, to_release: bool) -> Row {
     }
 }
 
-/// Commits since then that changed what is compiled.
+/// Commits since then that changed what is compiled, or what judges it.
 fn changes_since(root: &Path, commit: &str) -> Option<u32> {
     let range = format!("{commit}..HEAD");
-    let listed =
-        Command::new("git").args(["rev-list", "--count", &range, "--", "src", "grammar"]).current_dir(root).output();
+    let listed = Command::new("git")
+        .args(["rev-list", "--count", &range, "--", "src", "grammar", "tests", "fuzz", "Cargo.lock"])
+        .current_dir(root)
+        .output();
     String::from_utf8(listed.ok().filter(|listed| listed.status.success())?.stdout).ok()?.trim().parse().ok()
 }
 
