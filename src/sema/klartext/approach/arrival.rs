@@ -145,7 +145,8 @@ impl Approach {
             None if enters => moves.line(self.to, at_end, self.feed, self.side),
             None => moves.line(border.at, at_end, self.feed, border.side),
             Some(on) => {
-                moves.arc(border.at, at_end, &on, self.feed, border.side);
+                let arc = moves.arc(border.at, at_end, &on, self.feed, border.side);
+                arc.or_else(|fault| core.refuse(Where::Block, fault))?;
                 // The tool stands beside the contour already: this is where the compensation begins.
                 if enters && self.radius > 0.0 {
                     moves.line(self.to, None, self.feed, self.side);

@@ -107,11 +107,19 @@ impl Moves {
         self.add(None, Some(depth), Path::straight(feed), side);
     }
 
-    /// An arc, which always has a feed.
-    pub(super) fn arc(&mut self, to: Point2, depth: Option<f64>, on: &Circle, feed: Option<Feed>, side: Side) {
-        let Some(feed) = feed else { return };
+    /// An arc, which is refused without a feed.
+    pub(super) fn arc(
+        &mut self,
+        to: Point2,
+        depth: Option<f64>,
+        on: &Circle,
+        feed: Option<Feed>,
+        side: Side,
+    ) -> Result<(), Fault> {
+        let feed = feed.ok_or_else(codes::P2002::no_feed_rate_is_programmed_before)?;
         let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: tolerance::SAME };
         self.add(Some(to), depth, Path::Arc(Arc { plane: self.plane, shape, turns: 0 }, feed), side);
+        Ok(())
     }
 
     fn add(&mut self, to: Option<Point2>, depth: Option<f64>, path: Path, side: Side) {

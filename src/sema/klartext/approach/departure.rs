@@ -97,7 +97,7 @@ impl Exit {
             Shape::Arc { radius, angle } => {
                 let on = border.circle(radius, name)?;
                 let turn = geo::Deg(if on.ccw { angle } else { -angle });
-                moves.arc(geo::angle::rotated(border.at, on.center, turn), None, &on, feed, border.side);
+                moves.arc(geo::angle::rotated(border.at, on.center, turn), None, &on, feed, border.side)?;
                 geo::angle::rotated(border.edge, on.center, turn)
             }
             Shape::LineArc { radius } => {
@@ -107,7 +107,7 @@ impl Exit {
                     return Err(codes::K2605::end_of_lies_inside_its_circle(&name));
                 };
                 let start = on.center + (touch - on.center) * (on.radius / radius);
-                moves.arc(start, None, &on, feed, border.side);
+                moves.arc(start, None, &on, feed, border.side)?;
                 to
             }
         };
