@@ -159,7 +159,22 @@ impl State {
             Act::ModuloRotary => self.rotary.reduce(&self.position, m.args.axes),
             Act::PlungeShare => self.feed.share_plunges(core, m)?,
             Act::Note | Act::FollowTip(_) => false,
-            _ => true,
+            Act::ShortPoints | Act::CompensationOnly | Act::LookAhead => true,
+            // They are carried out elsewhere.
+            Act::Spindle(_)
+            | Act::SpindleAndCoolant(_)
+            | Act::SpindleStop
+            | Act::CoolantOn
+            | Act::CoolantOff
+            | Act::Stop
+            | Act::OptionalStop
+            | Act::ProgramEnd { .. }
+            | Act::ToolChange
+            | Act::Orient
+            | Act::Block
+            | Act::Retract
+            | Act::EndRotation
+            | Act::Refused => return Ok(true),
         };
         match act {
             _ if !changes => {}
