@@ -35,11 +35,8 @@ impl Reading<'_, '_> {
         let mut at = 0;
         while let Some(&word) = block.words.get(at) {
             at += 1;
-            if !admits.takes(&word) {
-                return self.core.not_admitted(word, head);
-            }
             match word.addr {
-                Addr::Axis { axis, incremental } => {
+                Addr::Axis { axis, incremental } if admits.has(Admits::AXES) => {
                     let value = self.number(word.value, word.span)?;
                     if w.axes.known().contains(axis) {
                         return self.core.twice(word, block);
@@ -50,14 +47,16 @@ impl Reading<'_, '_> {
                     }
                     w.axes_span = if w.axes_span.is_empty() { word.span } else { w.axes_span.to(word.span) };
                 }
-                Addr::Feed | Addr::FeedMax | Addr::FeedAuto | Addr::FeedPerRev | Addr::FeedOther => {
+                Addr::Feed | Addr::FeedMax | Addr::FeedAuto | Addr::FeedPerRev | Addr::FeedOther
+                    if admits.has(Admits::FEED) =>
+                {
                     if w.feed != FeedWord::None {
                         return self.core.twice(word, block);
                     }
                     w.feed = self.feed_word(word, mm)?;
                     w.feed_span = word.span;
                 }
-                Addr::M(number) => {
+                Addr::M(number) if admits.has(Admits::M) => {
                     let (args, used) = self.m_arguments(number, word.span, &block.words[at..], block, w)?;
                     at += used;
                     if w.m.len() == MOST_M {
@@ -69,7 +68,8 @@ impl Reading<'_, '_> {
                 }
                 // Empty words of old listings mean "unchanged".
                 Addr::FeedEmpty | Addr::MEmpty | Addr::RadiusEmpty => {}
-                _ => self.rare_word(word, admits, mm, w, block)?,
+                _ if admits.takes(&word) => self.rare_word(word, head, admits, mm, w, block)?,
+                _ => return self.core.not_admitted(word, head),
             }
         }
         if w.m.len() > 1 {
@@ -79,7 +79,7 @@ impl Reading<'_, '_> {
     }
 
     /// The words that CAM programs hardly use.
-    fn rare_word(self, word: Word, admits: Admits, mm: f64, w: &mut Words, block: &Block) -> Outcome {
+    fn rare_word(self, word: Word, head: &str, admits: Admits, mm: f64, w: &mut Words, block: &Block) -> Outcome {
         let number = || self.number(word.value, word.span);
         let mut side = |comp: Comp| {
             w.comp_span = word.span;
@@ -111,8 +111,7 @@ impl Reading<'_, '_> {
                 w.speed.replace(number()?).is_some()
             }
             Addr::Value => w.number.replace(number()?).is_some() || w.radius.is_some(),
-            // No other word is admitted.
-            _ => false,
+            _ => return self.core.not_admitted(word, head),
         };
         if again { self.core.twice(word, block) } else { Ok(()) }
     }

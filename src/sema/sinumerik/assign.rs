@@ -40,7 +40,10 @@ impl Run<'_> {
     }
 
     pub(super) fn write_target(&mut self, target: Target, value: Val, span: Span, line: Line<'_>) -> Outcome {
-        let args = self.values(line.indices_of(target), line)?;
+        let args = match target {
+            Target::Indexed(..) => self.values(line.indices_of(target), line)?,
+            _ => Vec::new(),
+        };
         match target {
             Target::System(name) | Target::Indexed(Base::System(name), _) => {
                 self.channel.write_system(name, &args, value, span)

@@ -403,7 +403,8 @@ impl Run<'_> {
             }
             Stmt::Call(form) => {
                 self.channel.pending_must_be_done(block.span)?;
-                let result = self.call_form(form, line).and_then(|text| self.execute_next(text));
+                let result =
+                    self.call_form(form, line).and_then(|text| text.map_or(Ok(()), |text| self.execute_next(text)));
                 if result.is_err() {
                     self.channel.st.position.lose(AxisSet::ALL);
                     self.channel.lost();
@@ -454,7 +455,11 @@ impl Run<'_> {
     fn words_block(&mut self, line: Line<'_>) -> Outcome {
         let mut words = self.words.take().unwrap_or_else(|| Box::new(Words::new()));
         words.clear();
-        let result = self.block_of_words(&mut words, line).and_then(|text| self.execute_next(text));
+        let result = match self.block_of_words(&mut words, line) {
+            Ok(None) => Ok(()),
+            Ok(Some(text)) => self.execute_next(text),
+            Err(reported) => Err(reported),
+        };
         if result.is_err() {
             self.channel.lose_block(&mut self.names, &words, line.block);
         }
@@ -463,8 +468,8 @@ impl Run<'_> {
     }
 
     /// Executes a text as a block: EXECSTRING, a block with macros, or what stands for a program.
-    fn execute_next(&mut self, text: Option<NextText>) -> Outcome {
-        let Some(NextText { text, span }) = text else { return Ok(()) };
+    #[cold]
+    fn execute_next(&mut self, NextText { text, span }: NextText) -> Outcome {
         let core = &mut self.channel.core;
         if self.depth >= MOST_TEXTS {
             core.stop_run();
@@ -484,7 +489,9 @@ impl Run<'_> {
             Stmt::Words => self.words_block(line),
             Stmt::Empty => Ok(()),
             Stmt::Bad => Err(Reported),
-            Stmt::Call(form) => self.call_form(form, line).and_then(|text| self.execute_next(text)),
+            Stmt::Call(form) => {
+                self.call_form(form, line).and_then(|text| text.map_or(Ok(()), |text| self.execute_next(text)))
+            }
             // The program goes on at the target, as behind a jump that stands there.
             Stmt::IfJump => self.jump_by_arms(None, line),
             Stmt::Goto(jump) => self.jump(jump, line),
