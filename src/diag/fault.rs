@@ -4,11 +4,16 @@
 
 use crate::text::Loc;
 
-use super::{Answer, Diagnostic, Help, Raised};
+use super::{Answer, Code, Diagnostic, Help, Raised};
 
-/// What is wrong, and what to do.
+/// What is wrong, and what to do. It goes through many hands before it is reported, and what may fail is on the way of every block: it is one
+/// pointer.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Fault {
+pub struct Fault(Box<Parts>);
+
+/// What a fault is made of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Parts {
     pub raised: Raised,
     pub message: String,
     pub help: Option<Help>,
@@ -52,38 +57,58 @@ impl Wording {
 
 impl Fault {
     pub fn new(raised: impl Into<Raised>, message: String) -> Fault {
-        Fault { raised: raised.into(), message, help: None }
+        Fault(Box::new(Parts { raised: raised.into(), message, help: None }))
+    }
+
+    pub fn code(&self) -> &'static Code {
+        self.0.raised.code
+    }
+
+    pub fn message(&self) -> &str {
+        &self.0.message
+    }
+
+    /// Does it say what to do?
+    pub fn has_help(&self) -> bool {
+        self.0.help.is_some()
+    }
+
+    pub fn into_parts(self) -> Parts {
+        *self.0
     }
 
     /// What to do, where only the place knows it.
-    pub fn help(self, help: impl Into<Help>) -> Fault {
-        Fault { help: Some(help.into()), ..self }
+    pub fn help(mut self, help: impl Into<Help>) -> Fault {
+        self.0.help = Some(help.into());
+        self
     }
 
     /// What else may be done, as its help goes on.
-    pub fn or(self, more: Help) -> Fault {
-        let help = match self.help {
+    pub fn or(mut self, more: Help) -> Fault {
+        self.0.help = Some(match self.0.help.take() {
             Some(help) => help.or(more),
             None => more,
-        };
-        Fault { help: Some(help), ..self }
+        });
+        self
     }
 
     /// The number that the control shows, where the same fault has several.
     pub fn alarm(mut self, number: impl Into<Option<u32>>) -> Fault {
-        self.raised = self.raised.code.alarm(number);
+        self.0.raised = self.0.raised.code.alarm(number);
         self
     }
 
     /// The same, of a part of the program that is named first: a cycle, a statement.
-    pub fn of(self, what: impl std::fmt::Display) -> Fault {
-        Fault { message: format!("{what}: {}", self.message), ..self }
+    pub fn of(mut self, what: impl std::fmt::Display) -> Fault {
+        self.0.message = format!("{what}: {}", self.0.message);
+        self
     }
 
     /// The finding at its place.
     pub fn at(self, loc: Loc) -> Diagnostic {
-        let found = Diagnostic::new(self.raised, loc, self.message);
-        match self.help {
+        let Parts { raised, message, help } = *self.0;
+        let found = Diagnostic::new(raised, loc, message);
+        match help {
             Some(help) => found.help(help),
             None => found,
         }
@@ -102,7 +127,7 @@ impl Asking {
 
     /// The same, where it takes more than one key, or where a configuration may have none left to give.
     pub fn answers(mut self, answers: impl IntoIterator<Item = Answer>) -> Fault {
-        if let Some(help) = &mut self.0.help {
+        if let Some(help) = &mut self.0.0.help {
             help.answers.extend(answers);
         }
         self.0

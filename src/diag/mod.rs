@@ -25,7 +25,7 @@ use crate::text::Loc;
 
 pub use answer::{Answer, Help, Values};
 pub use codes::{Code, Raised};
-pub use fault::Fault;
+pub use fault::{Fault, Parts};
 pub use finding::Finding;
 pub use label::Label;
 pub use selection::Selection;

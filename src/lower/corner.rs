@@ -341,7 +341,7 @@ fn cut(
             let fault = if less <= HAIR {
                 codes::G3025::is_larger_than_its_neighbours_allow(name, &less)
             } else {
-                let large = too_large(corner, &a, &b, trimmed).message;
+                let large = too_large(corner, &a, &b, trimmed).into_parts().message;
                 codes::G3025::is_made_smaller(&large, &length(extent(shape)))
             };
             diags.push(at(origin, fault));

@@ -1,6 +1,6 @@
 //! What is wrong with the form of a block, and repairs that every dialect makes.
 
-use crate::diag::{Code, Fault, Help, Raised};
+use crate::diag::{Code, Fault, Help, Parts, Raised};
 use crate::text::Span;
 
 /// A finding about one block; spans count from its start.
@@ -37,15 +37,19 @@ impl Problem {
 
     /// What is wrong, without its place.
     pub fn fault(self) -> Fault {
-        Fault { raised: self.raised(), message: self.message, help: self.help }
+        let fault = Fault::new(self.raised(), self.message);
+        match self.help {
+            Some(help) => fault.help(help),
+            None => fault,
+        }
     }
 }
 
 impl Fault {
     /// The problem of words of a block.
     pub fn among(self, span: Span) -> Problem {
-        let Raised { code, alarm } = self.raised;
-        Problem { code, alarm, span, message: self.message, help: self.help }
+        let Parts { raised: Raised { code, alarm }, message, help } = self.into_parts();
+        Problem { code, alarm, span, message, help }
     }
 }
 

@@ -384,7 +384,7 @@ mod tests {
 
     #[test]
     fn refused_threads() {
-        let code = |thread: Thread| expand(&thread, Point2::origin(), &mut |_| ()).expect_err("refused").raised.code.id;
+        let code = |thread: Thread| expand(&thread, Point2::origin(), &mut |_| ()).expect_err("refused").code().id;
         assert_eq!(code(Thread { infeed: Infeed::Equal { most: 1e-9 }, ..m20() }), "G3040");
         assert_eq!(code(Thread { infeed: Infeed::ConstantArea { first: 1e-300 }, ..m20() }), "G3040");
         assert_eq!(code(Thread { air_cuts: u32::MAX, starts: u32::MAX, ..m20() }), "G3040");
@@ -398,7 +398,7 @@ mod tests {
         // The first cut is 0.3 mm deep: 0.62 mm above the bottom, behind by 0.62 * tan(angle). The run-out is 1 mm.
         let cut = |parts: &[ThreadPart], angle: f64| {
             let thread = Thread { parts: parts.to_vec(), flank: Flank::Behind { angle: Deg(angle) }, ..m20() };
-            expand(&thread, thread.park, &mut |_| ()).map_err(|fault| fault.raised.code.id)
+            expand(&thread, thread.park, &mut |_| ()).map_err(|fault| fault.code().id)
         };
         let part = |z: f64| ThreadPart { end: Point2::new(z, 10.0), lead: 1.5 };
         // 25 mm and 1 mm: 23.7 mm go, 27.3 mm do not.

@@ -416,7 +416,7 @@ mod tests {
         let size = *Undercuts::default().size(0.6, 0.3).expect("a size");
         let e = cycle(form_e(&size), 1, -75.0, 32.5);
         let code = |cycle: UndercutCycle, z: f64| {
-            expand(&cycle, Point2::new(z, 50.0), &mut |_| ()).expect_err("refused").raised.code.id
+            expand(&cycle, Point2::new(z, 50.0), &mut |_| ()).expect_err("refused").code().id
         };
         assert_eq!(code(e, -80.0), "G3046");
         assert_eq!(code(UndercutCycle { clearance: 0.0, ..e }, 0.0), "G3041");

@@ -138,7 +138,7 @@ impl Run<'_> {
             let lacks = seen.instead.take();
             match (made, lacks) {
                 (Ok(made), _) => return Ok(made),
-                (Err(Refusal::Fault(place, fault)), _) => return cycle.refuse_at(&self.core, place, *fault),
+                (Err(Refusal::Fault(place, fault)), _) => return cycle.refuse_at(&self.core, place, fault),
                 (Err(Refusal::Known), None) => return Err(Reported),
                 (Err(Refusal::Known), Some(lacks)) => self.provide(cycle, given, contours.as_mut(), lacks)?,
             }
@@ -167,10 +167,10 @@ impl Run<'_> {
                 Ok(())
             }
             (Instead::Data(fault), Some(Contoured { data: Some(data), .. })) => {
-                data.values.cycle.refuse(&self.core, *fault)
+                data.values.cycle.refuse(&self.core, fault)
             }
             (Instead::Data(fault), Some(Contoured { train: Some(train), .. })) => match &train.data {
-                Some(data) => data.values.cycle.refuse(&self.core, *fault),
+                Some(data) => data.values.cycle.refuse(&self.core, fault),
                 None => Err(Reported),
             },
             (Instead::Area { .. } | Instead::Train | Instead::Data(_), _) => Err(Reported),
@@ -278,8 +278,8 @@ impl DefinedCycle {
     }
 
     fn refuse_at<T>(&self, core: &Core<'_>, place: Where, mut fault: Fault) -> Outcome<T> {
-        if fault.raised.code == codes::P2090 && fault.help.is_none() {
-            let told = fault.message.split_once(": ").map_or(fault.message.as_str(), |(_, told)| told);
+        if fault.code() == codes::P2090 && !fault.has_help() {
+            let told = fault.message().split_once(": ").map_or(fault.message(), |(_, told)| told);
             let help = check_the_values(self.mm, told);
             fault = fault.help(help);
         }

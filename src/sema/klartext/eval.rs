@@ -97,7 +97,7 @@ impl Formulas for Formula<'_, '_> {
             Fault::TooLarge | Fault::TooLargeInt => codes::P2022::result_is_over_10_000_000_000(),
             Fault::Misfit(_) | Fault::Mismatch(..) => codes::P2022::number_is_needed_not_text(),
             Fault::Missing => codes::P1004::value_is_missing(),
-            Fault::Said(found) => *found,
+            Fault::Said(found) => found,
         };
         self.reading.core.say(at.span, found);
         Reported

@@ -174,14 +174,14 @@ impl Run<'_> {
             // A check of a tool between two tools is no datum.
             Some(true) if !matches!(setting, Setting::Unknown) => {
                 self.st.lose_all(&mut self.core);
-                self.core.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&refused.message, &worked))
+                self.core.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&refused.message(), &worked))
             }
             Some(false) => {
                 self.st.lose_all(&mut self.core);
                 self.core.refuse(span, refused)
             }
             None | Some(true) => {
-                let asking = codes::K2854::blocks_in_front(&refused.message);
+                let asking = codes::K2854::blocks_in_front(&refused.message());
                 self.core.say(span, asking.answer(Answer::key("control", "probing_datum")));
                 Ok(())
             }

@@ -196,7 +196,7 @@ impl Run<'_> {
                 if holds.is_err() {
                     self.core.stop_run();
                 }
-                if self.core.made_at(span, holds)? {
+                if self.core.accept(span, holds)? {
                     let place = self.core.find(label, span)?;
                     return self.core.jump_to(place);
                 }

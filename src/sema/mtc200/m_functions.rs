@@ -143,7 +143,7 @@ impl Run<'_> {
             return self.core.refuse(span, codes::P1003::tool_changes_under_path_compensation());
         }
         self.st.tool.active = Some(own);
-        self.core.made_at(span, self.st.tool.length_acts_along_z(self.st.ctx.plane, settings))?;
+        self.core.accept(span, self.st.tool.length_acts_along_z(self.st.ctx.plane, settings))?;
         let number = settings.tools.printed_number(own);
         self.core.send_tool(&ToolKey::Number(own, 0), number, span, &self.st.ctx)?;
         // The new tool has its tip elsewhere.

@@ -250,7 +250,7 @@ impl Run<'_> {
         }
         let computed = self.core.job.settings.output.compensation == Compensation::Resolve;
         if computed && self.st.compensation.is_on() {
-            return self.core.made_at(span, self.st.tool.radius_is_that_of_the_table());
+            return self.core.accept(span, self.st.tool.radius_is_that_of_the_table());
         }
         Ok(())
     }
@@ -405,7 +405,7 @@ impl Run<'_> {
                 self.st.feed_said = true;
             }
             G::ConstantSpeed(on) => {
-                return self.core.made_at(span, spindle::count(&mut self.st.spindle, on, w));
+                return self.core.accept(span, spindle::count(&mut self.st.spindle, on, w));
             }
             G::Smooth | G::Nothing => self.core.without_geometry(&format!("G{number}"), span),
             G::Dwell | G::ShiftTo | G::ShiftBy | G::Name | G::Home | G::SpeedLimit => {}
@@ -420,7 +420,7 @@ impl Run<'_> {
         if self.st.compensation.is_on() || self.st.corners.is_open() {
             return self.core.refuse(span, codes::P1003::working_plane_changes_inside_compensated_contour());
         }
-        self.core.made_at(span, self.st.tool.length_acts_along_z(plane, self.core.job.settings))?;
+        self.core.accept(span, self.st.tool.length_acts_along_z(plane, self.core.job.settings))?;
         self.st.corners.cannot_follow();
         self.st.ctx = Rc::new(Ctx { plane, ..(*self.st.ctx).clone() });
         Ok(())
@@ -439,7 +439,7 @@ impl Run<'_> {
             if settings.output.compensation == Compensation::Resolve {
                 let unit = if self.st.dimensions.inch { Unit::Inch } else { Unit::Mm };
                 self.core.job.calls_tool_in(unit, self.core.loc(span));
-                let rules = self.core.made_at(span, self.st.tool.rules(tool, self.st.ctx.plane, settings))?;
+                let rules = self.core.accept(span, self.st.tool.rules(tool, self.st.ctx.plane, settings))?;
                 self.st.transition.begin();
                 compensate(&mut self.st.ctx, rules);
                 let says = w.g.iter().flatten().any(|(g, _)| matches!(g, G::Chamfers(_)));

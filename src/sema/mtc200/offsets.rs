@@ -150,7 +150,7 @@ impl Run<'_> {
         if before == offset {
             return Ok(());
         }
-        self.core.made_at(span, self.st.offsets.may_become(offset, self.st.compensation.is_on()))?;
+        self.core.accept(span, self.st.offsets.may_become(offset, self.st.compensation.is_on()))?;
         match (before, offset) {
             (Offset::Start, Offset::Work(number)) => self.core.moves_before_offset(number, span),
             (Offset::Start, _) => {}
@@ -177,10 +177,10 @@ impl Run<'_> {
     /// G50, G51, G52: the zero point moves, the tool does not.
     pub(super) fn programmed_offset(&mut self, g: G, w: &Words, span: Span) -> Outcome {
         let named = w.axes.known();
-        self.core.made_at(span, self.st.offsets.may_shift(named, self.st.compensation.is_on()))?;
+        self.core.accept(span, self.st.offsets.may_shift(named, self.st.compensation.is_on()))?;
         let mut values = [0.0; AXES];
         for (axis, value) in w.axes.iter() {
-            values[axis.index()] = self.core.made_at(w.axes_span, self.st.dimensions.radius_length(axis, value))?;
+            values[axis.index()] = self.core.accept(w.axes_span, self.st.dimensions.radius_length(axis, value))?;
         }
         match (g, self.core.job.settings.control.mtc200.g52) {
             (G::ShiftTo, _) if self.st.offsets.added => {
@@ -198,7 +198,7 @@ impl Run<'_> {
             }
             _ => {}
         }
-        let shift = self.core.made_at(span, self.st.offsets.shifted_by(g, values, named))?;
+        let shift = self.core.accept(span, self.st.offsets.shifted_by(g, values, named))?;
         let Some(frame) = Frame::new(Matrix3::identity(), shift) else {
             return self.core.refuse(span, codes::P2022::offset_is_too_large());
         };

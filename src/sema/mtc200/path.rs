@@ -131,7 +131,8 @@ impl Core<'_> {
     #[cold]
     fn switches_in(&self, plane: Plane, position: &Position, end: &Pos, span: Span) -> Outcome<bool> {
         let mut moves = false;
-        for axis in plane_axes(plane).iter() {
+        let (first, second, _) = plane.axes();
+        for axis in [first, second].map(|index| Axis::ALL[index]) {
             let from = self.stands(position, axis, span)?;
             moves |= end.get(axis).is_some_and(|to| (to - from).abs() > SAME_POINT);
         }
@@ -186,16 +187,16 @@ impl Run<'_> {
             self.core.relies_on_the_start(&mut self.st.dimensions.said, w.axes_span);
         }
         for (axis, value) in w.axes.iter() {
-            let length = self.core.made_at(w.axes_span, self.st.dimensions.length(axis, value))?;
+            let length = self.core.accept(w.axes_span, self.st.dimensions.length(axis, value))?;
             let to = if self.st.dimensions.incremental {
                 let programmed = self.st.offsets.counts_from(axis, &self.st.position, settings.g91_after_offset);
-                match self.core.made_at(w.axes_span, programmed)? {
+                match self.core.accept(w.axes_span, programmed)? {
                     Some(programmed) => programmed + length,
                     None => self.core.stands(&self.st.position, axis, w.axes_span)? + length,
                 }
             } else if axis.is_rotary() && !settings.rotary_absolute {
                 let from = self.st.position.get(axis);
-                self.core.made_at(w.axes_span, rotary_target(axis, length, from))?
+                self.core.accept(w.axes_span, rotary_target(axis, length, from))?
             } else {
                 length
             };
@@ -227,18 +228,18 @@ impl Run<'_> {
             return Ok(());
         }
         let passed = self.st.transition.pass(moves_in_plane, self.core.job.settings.output.compensation);
-        self.core.made_at(span, passed)
+        self.core.accept(span, passed)
     }
 
     fn straight(&mut self, motion: Motion, w: &Words) -> Outcome {
         let feed = match motion {
-            Motion::Line => Some(self.core.made_at(w.axes_span, self.st.feed.of_cut(NO_FEED))?),
+            Motion::Line => Some(self.core.accept(w.axes_span, self.st.feed.of_cut(NO_FEED))?),
             _ => None,
         };
         if self.st.offsets.offset() == Offset::Machine {
             let relative = self.st.dimensions.incremental || self.st.compensation.is_on();
             let g53_is_machine = self.core.job.settings.control.mtc200.g53_is_machine;
-            self.core.made_at(w.axes_span, may_move_in_machine(g53_is_machine, relative))?;
+            self.core.accept(w.axes_span, may_move_in_machine(g53_is_machine, relative))?;
             let end = self.target(w)?;
             self.machine_position(end, feed);
             return Ok(());
@@ -293,13 +294,13 @@ impl Run<'_> {
     fn arc(&mut self, motion: Motion, w: &Words) -> Outcome {
         let settings = &self.core.job.settings.control.mtc200;
         let span = self.core.made(self.arc_begins(w))?;
-        let feed = self.core.made_at(span, self.st.feed.of_cut(NO_FEED))?;
+        let feed = self.core.accept(span, self.st.feed.of_cut(NO_FEED))?;
         let (plane, dimensions) = (self.st.ctx.plane, self.st.dimensions);
         let [first, second, third] = roles(plane);
         let stands = |axis| self.core.stands(&self.st.position, axis, span);
         let start = Point2::new(stands(first)?, stands(second)?);
         if dimensions.incremental {
-            self.core.made_at(span, self.st.offsets.starts_arc([first, second], settings.g91_after_offset))?;
+            self.core.accept(span, self.st.offsets.starts_arc([first, second], settings.g91_after_offset))?;
         }
         let mut end = self.target(w)?;
         for (axis, at) in [(first, start.x), (second, start.y)] {
@@ -370,7 +371,7 @@ impl Run<'_> {
         let Some((shape, span)) = self.core.made(self.st.corners.shape(w, self.st.dimensions.unit()))? else {
             return Ok(());
         };
-        let feed = Some(self.core.made_at(span, self.st.feed.of_cut(NO_FEED))?);
+        let feed = Some(self.core.accept(span, self.st.feed.of_cut(NO_FEED))?);
         let along = self.core.job.settings.control.mtc200.chamfers_along_arcs;
         let at_arc = if along { ArcChamfer::Along } else { ArcChamfer::Ask(&AT_ARC) };
         let (large, blocks) = (LargeCorner::Refuse, Blocks::PassedOver);

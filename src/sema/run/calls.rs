@@ -134,7 +134,7 @@ impl<L: Language> Core<'_, L> {
     /// Calls are nested deeper than `fault` says it is possible.
     pub fn too_deep<T>(&self, fault: Fault) -> Outcome<T> {
         self.end_run(match self.cycle_of_calls() {
-            Some(cycle) => codes::P4003::calls_go_round(&fault.message, &cycle),
+            Some(cycle) => codes::P4003::calls_go_round(&fault.message(), &cycle),
             None => fault,
         })
     }

@@ -11,7 +11,7 @@ use super::report::Where;
 #[derive(Debug)]
 pub enum Refusal {
     /// What is wrong, and where.
-    Fault(Where, Box<Fault>),
+    Fault(Where, Fault),
     /// It only suffers from what was reported before.
     Known,
 }
@@ -27,7 +27,7 @@ impl From<Reported> for Refusal {
 
 /// Words of the block, or all of it, are refused.
 pub fn refused<T>(place: impl Into<Where>, fault: Fault) -> Made<T> {
-    Err(Refusal::Fault(place.into(), Box::new(fault)))
+    Err(Refusal::Fault(place.into(), fault))
 }
 
 /// Hands what was made to the one place that reports: `refuse` says why there is nothing.
@@ -35,7 +35,7 @@ pub fn refused<T>(place: impl Into<Where>, fault: Fault) -> Made<T> {
 pub fn reported<T>(made: Made<T>, refuse: impl FnOnce(Where, Fault)) -> Outcome<T> {
     made.map_err(|refusal| {
         if let Refusal::Fault(place, fault) = refusal {
-            refuse(place, *fault);
+            refuse(place, fault);
         }
         Reported
     })
@@ -46,11 +46,5 @@ impl<L: Language> Core<'_, L> {
     #[inline]
     pub fn made<T>(&self, made: Made<T>) -> Outcome<T> {
         reported(made, |place, fault| self.say(place, fault))
-    }
-
-    /// The same for a fault whose place the caller knows.
-    #[inline]
-    pub fn made_at<T>(&self, place: impl Into<Where>, made: Result<T, Fault>) -> Outcome<T> {
-        made.or_else(|fault| self.refuse(place, fault))
     }
 }

@@ -306,7 +306,7 @@ impl State {
             Err(fault) => {
                 self.compensation.end(&mut self.codes);
                 self.path.cutter = None;
-                core.refuse(place, *fault)
+                core.refuse(place, fault)
             }
         }
     }

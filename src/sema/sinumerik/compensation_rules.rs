@@ -49,7 +49,7 @@ impl State {
         &self,
         radius: f64,
         settings: &Settings,
-    ) -> Result<(ir::Compensation, Option<Fault>), Box<Fault>> {
+    ) -> Result<(ir::Compensation, Option<Fault>), Fault> {
         let (rules, disc) = self.rules(Cutter { radius, nose: Vec2::zeros() }, settings)?;
         let search = Search { bottlenecks: true, ..rules.search };
         let (approach, retract) = (Border::Perpendicular, Border::Perpendicular);
@@ -61,7 +61,7 @@ impl State {
         &self,
         cutter: Cutter,
         settings: &Settings,
-    ) -> Result<(ir::Compensation, Option<Fault>), Box<Fault>> {
+    ) -> Result<(ir::Compensation, Option<Fault>), Fault> {
         self.plane_is_straight()?;
         let codes_on = &self.codes;
         let round = codes_on.of(Group::Corner).index == 1;
@@ -70,17 +70,15 @@ impl State {
             GCode::KONT if round => Border::Around,
             GCode::KONT => Border::AroundOtherwise,
             code => {
-                return Err(Box::new(codes::P9013::leads_to_contour(&code.word())));
+                return Err(codes::P9013::leads_to_contour(&code.word()));
             }
         };
         let keys = &settings.control.sinumerik.compensation;
         let mut disc = None;
         if self.path.overshoot() > 0.0 {
             if !keys.disc_as_circle {
-                return Err(Box::new(
-                    codes::P9013::under_disc_tool_goes_around_corners(&self.path.overshoot())
-                        .answer(Answer::key("control", "disc").one_of(&["\"circle\""])),
-                ));
+                return Err(codes::P9013::under_disc_tool_goes_around_corners(&self.path.overshoot())
+                    .answer(Answer::key("control", "disc").one_of(&["\"circle\""])));
             }
             disc = Some(codes::S8193::disc_is_read_as_disc_0(&self.path.overshoot()));
         }
@@ -115,12 +113,12 @@ impl State {
     }
 
     /// The radius counts in the plane of the tool: a frame may turn and move in it only.
-    fn plane_is_straight(&self) -> Result<(), Box<Fault>> {
+    fn plane_is_straight(&self) -> Result<(), Fault> {
         let (first, second, third) = self.plane().axes();
         let linear = self.ctx.frame.linear();
         let tilts = |a: usize| linear[(third, a)].abs() > SAME_DIRECTION || linear[(a, third)].abs() > SAME_DIRECTION;
         if !self.ctx.frame.is_shift() && (tilts(first) || tilts(second)) {
-            return Err(Box::new(codes::P9013::frame_tilts_working_plane()));
+            return Err(codes::P9013::frame_tilts_working_plane());
         }
         Ok(())
     }

@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::codes;
+use crate::diag::{Parts, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::Pos;
 use crate::ir::contour::{Ctx, Path};
@@ -152,10 +152,10 @@ impl Channel<'_> {
             Ok(made) => Ok((made, ways)),
             Err(Refusal::Known) => Err(Reported),
             Err(Refusal::Fault(place, fault)) => {
-                if fault.raised.code == codes::P2002 {
+                if fault.code() == codes::P2002 {
                     self.st.feed.lose();
                 }
-                self.core.refuse(place, *fault)
+                self.core.refuse(place, fault)
             }
         }
     }
@@ -304,10 +304,11 @@ fn say_ways(core: &Core<'_>, given: &Given, remarks: Vec<Remark>) {
     let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
     for Remark { fault, kind, .. } in remarks {
         if kind == Kind::Open {
-            open.push(fault.message);
-            helps.push(fault.help.map(|help| help.text).unwrap_or_default());
-        } else if !ways.contains(&fault.message) {
-            ways.push(fault.message);
+            let Parts { message, help, .. } = fault.into_parts();
+            open.push(message);
+            helps.push(help.map(|help| help.text).unwrap_or_default());
+        } else if ways.iter().all(|said| said != fault.message()) {
+            ways.push(fault.into_parts().message);
         }
     }
     if !open.is_empty() {

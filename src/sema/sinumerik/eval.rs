@@ -170,7 +170,7 @@ impl Formulas for Run<'_> {
             Fault::Misfit(what) => codes::P2024::operator_does_not_fit(&what),
             Fault::Mismatch(a, b) => codes::P2024::values_do_not_go_together(&a, &b),
             Fault::Missing => codes::P2024::value_is_missing(),
-            Fault::Said(found) => *found,
+            Fault::Said(found) => found,
             Fault::Zero(_) => or_give_values(codes::P2022::division_by_zero(), unset),
             // The divisor is a variable alone: it is named, and where it got its value.
             Fault::ZeroBy(_, by) => {

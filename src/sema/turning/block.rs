@@ -206,7 +206,7 @@ impl Run<'_> {
         } else {
             None
         };
-        let shift = self.core.made_at(Where::Block, self.st.shift.after(kind, z, counted))?;
+        let shift = self.core.accept(Where::Block, self.st.shift.after(kind, z, counted))?;
         if kind == ShiftOf::Absolute {
             if self.st.shift.base.is_none() {
                 let fault = codes::T2015::coordinates_count_from_workpiece_zero_of_g59(&z);
@@ -218,7 +218,7 @@ impl Run<'_> {
         }
         self.st.shift = shift;
         let frame = shift.frame().ok_or_else(codes::T1007::shift_is_no_number);
-        let frame = self.core.made_at(Where::Block, frame)?;
+        let frame = self.core.accept(Where::Block, frame)?;
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
         self.st.last.forget();
         self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });

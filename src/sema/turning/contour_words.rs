@@ -38,7 +38,7 @@ impl Core<'_> {
         let swapped = match number {
             810 => false,
             820 => true,
-            869 => !self.made_at(Where::Block, st.recess_tool(settings))?.1,
+            869 => !self.accept(Where::Block, st.recess_tool(settings))?.1,
             _ => return self.refuse(num.span, codes::T9007::contour_in_words_of_g80_is_not(&addr, &number)),
         };
         if settings.control.turning.refuse_contour_words == Some(true) {
@@ -51,7 +51,7 @@ impl Core<'_> {
         let form = self.made(Form::of(w, swapped, st.mm()))?;
         let points = if number == 869 { form.recess() } else { form.step() };
         let no_room = codes::T3002::angles_leave_no_room_between_start;
-        let points = self.made_at(Where::Block, points.ok_or_else(no_room))?;
+        let points = self.accept(Where::Block, points.ok_or_else(no_room))?;
         self.flawless(outline_of(&points, swapped, self.here.origin.loc)).map(Some)
     }
 }

@@ -126,7 +126,7 @@ fn fits_its_row(row: &Row, given: &Given) -> Made {
 impl Core<'_> {
     fn meets(&self, need: Need, number: u16, family: Family, spindle: &ModalSpindle) -> Outcome {
         let fault = match need {
-            Need::Spindle => return self.made_at(Where::Block, turns(spindle, number)),
+            Need::Spindle => return self.accept(Where::Block, turns(spindle, number)),
             Need::Turns if spindle.is_cutting() => codes::P1005::tapping_under_constant_cutting_speed(),
             Need::Reading(question) => {
                 self.depends_on(question, Where::Block);

@@ -152,7 +152,7 @@ impl Core<'_> {
     fn reference<'b>(&self, builder: &'b mut Builder, what: &str) -> Outcome<&'b mut BuiltElement> {
         self.flawless(builder.settle())?;
         let missing = || codes::T3004::stands_behind_element_of_contour(&what);
-        self.made_at(Where::Block, builder.pieces.last_mut().ok_or_else(missing))
+        self.accept(Where::Block, builder.pieces.last_mut().ok_or_else(missing))
     }
 
     /// G22: a recess in a line parallel to an axis.

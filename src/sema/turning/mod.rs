@@ -216,7 +216,7 @@ impl Run<'_> {
             }
             Stmt::Program(_) => {
                 let begun = std::mem::replace(&mut self.core.level().frame.begun, true);
-                return self.core.made_at(Where::Block, self.sections.program_line(begun));
+                return self.core.accept(Where::Block, self.sections.program_line(begun));
             }
             Stmt::Head { key, value } => {
                 let unit = self.core.made(self.sections.head_line(key.of(text), value.of(text), value))?;

@@ -298,7 +298,7 @@ impl Run<'_> {
         self.core.without_effect(w, b"BP", codes::T8017::run_in_of_g33_lies_inside);
         self.core.without_effect(w, b"IK", codes::T8017::retraction_of_g33_belongs_to_stop);
         let from = self.core.tip(&self.st.position)?;
-        self.core.made_at(Where::Block, turns(&self.st.spindle, 33))?;
+        self.core.accept(Where::Block, turns(&self.st.spindle, 33))?;
         let mm = self.st.mm();
         let lead = self.core.made(w.needed_length(b'F', mm, "the pitch of the thread"))?;
         let (x, z) = (w.coord(Axis::X, mm), w.coord(Axis::Z, mm));

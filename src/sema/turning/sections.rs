@@ -239,7 +239,7 @@ impl Run<'_> {
         if self.core.levels.len() > 1 {
             return self.core.refuse(Where::Block, codes::T1008::section_begins_inside_subprogram());
         }
-        self.core.made_at(Where::Block, self.sections.enter_din_plus())?;
+        self.core.accept(Where::Block, self.sections.enter_din_plus())?;
         if let Some(loc) = self.core.level().frame.open() {
             let found = codes::T1009::this_is_not_closed_when_next_section().at(loc);
             self.core.report(found.also(self.core.here.origin.loc, Label::Section));
@@ -247,7 +247,7 @@ impl Run<'_> {
         }
         self.core.level().frame.begun = true;
         self.geometry.finish(&self.core);
-        let part = self.core.made_at(Where::Block, self.sections.begin(section, rest.of(text)))?;
+        let part = self.core.accept(Where::Block, self.sections.begin(section, rest.of(text)))?;
         if part == ProgramPart::Contour {
             self.geometry.in_blank = section == Section::Blank;
             let id = rest.of(text).trim_ascii();

@@ -129,7 +129,7 @@ impl Core<'_> {
     /// Feed of a move that cuts.
     #[inline]
     pub(super) fn cutting_feed(&self, feed: &mut ModalFeed) -> Outcome<Feed> {
-        self.made_at(Where::Block, feed.of_cut(codes::P2002::no_feed_is_programmed_before_this_cutting))
+        self.accept(Where::Block, feed.of_cut(codes::P2002::no_feed_is_programmed_before_this_cutting))
     }
 }
 
@@ -157,7 +157,7 @@ impl Run<'_> {
             }
             let settings = self.core.job.settings;
             if settings.output.compensation == Compensation::Resolve {
-                let rules = self.core.made_at(fun.span, rules(self.st.tool.as_ref(), fun.number, settings))?;
+                let rules = self.core.accept(fun.span, rules(self.st.tool.as_ref(), fun.number, settings))?;
                 if rules.radius > 0.0 {
                     self.core.depends_on(Question::NosePath, fun.span);
                 }
@@ -178,7 +178,7 @@ impl Run<'_> {
         }
         let tool = ActiveTool { number, edge, name: self.sections.tool_name(number, edge) };
         self.core.job.calls_tool_in(self.st.unit, self.core.loc(num.span));
-        let printed = self.core.made_at(num.span, tool.printed(self.core.job.settings))?;
+        let printed = self.core.accept(num.span, tool.printed(self.core.job.settings))?;
         self.core.send_tool(&ToolKey::Number(number, edge), printed, num.span, &self.st.ctx)?;
         self.st.tool = Some(tool);
         self.st.forget();

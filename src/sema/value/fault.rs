@@ -31,7 +31,7 @@ pub enum Fault {
     /// An operand is missing.
     Missing,
     /// Only one dialect has it.
-    Said(Box<diag::Fault>),
+    Said(diag::Fault),
 }
 
 /// Why an operation made no value: a fault still to be reported, or something that was.
@@ -49,7 +49,7 @@ impl From<Fault> for Stop {
 
 impl From<diag::Fault> for Fault {
     fn from(fault: diag::Fault) -> Fault {
-        Fault::Said(Box::new(fault))
+        Fault::Said(fault)
     }
 }
 

@@ -265,8 +265,7 @@ fn depths_absolute_and_relative() {
 
 #[test]
 fn refusals() {
-    let code =
-        |drilling: Drilling| expand(&drilling, &Pos::UNKNOWN, XYZ, &mut |_| ()).expect_err("refused").raised.code.id;
+    let code = |drilling: Drilling| expand(&drilling, &Pos::UNKNOWN, XYZ, &mut |_| ()).expect_err("refused").code().id;
     let at = levels(50.0, 0.0, 2.0, -20.0);
     assert_eq!(code(hole(levels(f64::NAN, 0.0, 2.0, -20.0), Method::Drill { dwell: 0.0 })), "G3041");
     assert_eq!(code(hole(levels(-50.0, 0.0, 2.0, -20.0), Method::Drill { dwell: 0.0 })), "G3041");

@@ -86,7 +86,7 @@ fn descending_parts_have_their_feed_or_are_left_out() {
 
 #[test]
 fn ways_that_touch_the_contour_are_refused() {
-    let code = |finishing: &Finishing, from| strokes(finishing, from).unwrap_err().raised.code.id;
+    let code = |finishing: &Finishing, from| strokes(finishing, from).unwrap_err().code().id;
     // Inside of the part.
     assert_eq!(code(&shaft(), Point2::new(-10.0, 5.0)), "G3048");
     let through = FinishingEnd::Point { to: Point2::new(2.0, 5.0), way: Way::XThenZ };

@@ -208,7 +208,7 @@ fn all_sides_cut_the_same_groove() {
 
 #[test]
 fn what_makes_no_groove() {
-    let code = |grooving: &Grooving| expand(grooving, FROM, &mut |_| {}).expect_err("a failure").raised.code.id;
+    let code = |grooving: &Grooving| expand(grooving, FROM, &mut |_| {}).expect_err("a failure").code().id;
     let mut wide = groove();
     wide.tool.width = 12.0;
     assert_eq!(code(&wide), "G3045");

@@ -37,7 +37,7 @@ fn moves(layers: &Layers, from: Option<Point2>) -> Result<Vec<Move>, &'static st
             list.push(mv);
         }
     })
-    .map_err(|fault| fault.raised.code.id)?;
+    .map_err(|fault| fault.code().id)?;
     Ok(list)
 }
 

@@ -16,7 +16,7 @@ fn strokes(recess: &RecessTurning, from: Point2) -> Result<Vec<Move>, &'static s
             list.push(mv);
         }
     })
-    .map_err(|fault| fault.raised.code.id)?;
+    .map_err(|fault| fault.code().id)?;
     Ok(list)
 }
 

@@ -113,7 +113,7 @@ pub(in super::super) enum Instead {
     /// The contour that it follows.
     Train,
     /// A fault of the definition that it takes data of.
-    Data(Box<Fault>),
+    Data(Fault),
 }
 
 /// What a plan sees besides the arguments.
@@ -320,7 +320,7 @@ impl CycleCall<'_> {
 
     /// Refuses the call by a text that does not begin with the cycle.
     pub fn refuse_bare<T>(&self, fault: Fault) -> Made<T> {
-        Err(Refusal::Fault(self.given.place, Box::new(fault)))
+        Err(Refusal::Fault(self.given.place, fault))
     }
 
     fn checked_feed(&self, value: f64) -> Made<Feed> {

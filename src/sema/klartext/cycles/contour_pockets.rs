@@ -376,7 +376,7 @@ impl CycleCall<'_> {
 
     /// Refuses what the definition of the data says.
     pub fn refuse_data<T>(&self, fault: Fault) -> Made<T> {
-        self.without(Instead::Data(Box::new(fault)))
+        self.without(Instead::Data(fault))
     }
 }
 

@@ -93,7 +93,7 @@ impl CycleCall<'_> {
                 }
                 Ok(rules)
             }
-            Err(fault) => self.refuse_as_said(self.given.place, *fault),
+            Err(fault) => self.refuse_as_said(self.given.place, fault),
         }
     }
 
