@@ -2,10 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use crate::geo::{Plane, Point2, distance, turned};
+use crate::geo::{Plane, Point2, distance, rotation, turned};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::motion::{Move, Path, Place, Sink};
-use crate::ir::{Feed, Function, Origin, Pos, Side, Tap};
+use crate::ir::{Feed, Function, Origin, Pos, Side, Tap, Tilting};
 use crate::machine::{Axis, MachineKind, OutputSettings, PathControl, Settings};
 use crate::text::Loc;
 
@@ -169,6 +169,22 @@ impl Steps {
     fn function(&mut self, word: &str, numbers: [f64; 2], origin: &Origin) {
         let does = Does::Function(word.to_owned(), numbers);
         self.list.push(Step { file: origin.loc.file.0, line: origin.loc.line, does });
+    }
+
+    /// A plane by the angles and the zero point that say where it lies.
+    fn tilt(&mut self, tilting: &Tilting, origin: &Origin) {
+        self.at.clear();
+        let word = match tilting {
+            Tilting::Into(_) => "plane",
+            Tilting::Back(_) => "plane back",
+            Tilting::Off => "plane off",
+        };
+        let Some(tilt) = tilting.plane() else { return self.function(word, [0.0; 2], origin) };
+        let [a, b, c] = rotation::spatial_of(&tilt.axes);
+        let [x, y, z] = [0, 1, 2].map(|i| tilt.origin[i]);
+        for (part, numbers) in [("A B", [a, b]), ("C X", [c, x]), ("Y Z", [y, z])] {
+            self.function(&format!("{word} {part}"), numbers, origin);
+        }
     }
 
     fn spindle(&mut self, spindle: Spindle, number: u8, origin: &Origin) {
@@ -355,6 +371,7 @@ impl Sink for Steps {
                     self.function("work offset", [f64::from(*number), 0.0], origin);
                 }
             }
+            Function::Tilt(tilting) => self.tilt(tilting, origin),
             Function::End { rewind } => self.function("end", [f64::from(u8::from(*rewind)), 0.0], origin),
             Function::PathControl(said) => self.path_control(*said, origin),
             Function::FeedSpindle(_)

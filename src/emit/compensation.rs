@@ -211,7 +211,7 @@ impl Compensation {
     /// Must G40 stand in front of `function`?
     pub fn ends_before(&mut self, function: &Function, selected: Plane, origin: &Origin) -> bool {
         let ends = match function {
-            Function::ToolChange { .. } | Function::WorkOffset(_) => true,
+            Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Tilt(_) => true,
             Function::Plane(plane) => *plane != selected,
             Function::Cutter(cutter) => *cutter != self.cutter,
             Function::ToolPrepare { .. }

@@ -16,6 +16,7 @@ mod path_control;
 mod refusals;
 mod straight;
 mod taps;
+mod tilt;
 pub(crate) mod winding;
 
 use std::io;

@@ -51,6 +51,7 @@ impl SpindleAndTool {
             | Function::SpindleOf { .. }
             | Function::FeedSpindle(_)
             | Function::Transformation(_)
+            | Function::Tilt(_)
             | Function::Coolant(_)
             | Function::Dwell(_)
             | Function::Stop

@@ -21,6 +21,7 @@ pub mod parts;
 pub mod pattern;
 pub mod plane;
 pub mod profile;
+pub mod rotation;
 pub mod soft;
 pub mod tolerance;
 pub mod undercut;

@@ -3,7 +3,7 @@
 use crate::geo::Plane;
 use crate::machine::Axis;
 
-use super::Transformation;
+use super::{Tilting, Transformation};
 
 pub use crate::machine::PathControl;
 
@@ -103,6 +103,8 @@ pub enum Function {
     FeedSpindle(u8),
     /// The program sees other axes from here on, or again those of the machine. Lower carries it out.
     Transformation(Option<Transformation>),
+    /// The working plane is tilted, or is so no more. Positions that were said before it no longer hold. Nothing is compensated.
+    Tilt(Box<Tilting>),
     /// Coolant on or off.
     Coolant(Coolant),
     /// Wait, seconds, not below zero.

@@ -15,6 +15,7 @@ pub mod motion;
 pub mod pos;
 pub mod refused;
 pub mod tap;
+pub mod tilt;
 pub mod transformation;
 pub mod undercut;
 pub mod verify;
@@ -28,6 +29,7 @@ pub use frame::Frame;
 pub use function::{Blank, Function, Remark};
 pub use pos::Pos;
 pub use tap::Tap;
+pub use tilt::{Tilt, Tilting};
 pub use transformation::Transformation;
 
 /// Where an item comes from: the block, and how the program got there.

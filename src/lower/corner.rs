@@ -101,6 +101,7 @@ impl Corners {
                 | Function::WorkOffset(_)
                 | Function::Plane(_)
                 | Function::Transformation(_)
+                | Function::Tilt(_)
         );
         let waiting = if self.corner.is_some() { &mut self.between } else { &mut self.behind };
         if self.held && !breaks && waiting.len() < MOST_BETWEEN {

@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, Diags, codes};
 use crate::ir::function::Spindle;
 use crate::ir::motion::{self, Move, Path};
 use crate::ir::{Feed, Function, Origin};
-use crate::machine::Machine;
+use crate::machine::{Axis, Machine};
 
 use super::transformation::Transformer;
 use super::{at, limits};
@@ -21,11 +21,17 @@ pub struct Out<'a> {
     pub machine_axes: &'a mut MachineAxes,
 }
 
-impl Out<'_> {
+impl<'a> Out<'a> {
+    /// In a tilted plane no coordinate is that of an axis of the machine.
+    #[inline]
+    fn limits(&self) -> Limits<'a> {
+        (!self.machine.limits.is_empty() && !self.machine_axes.tilted).then_some(&self.machine.limits)
+    }
+
     #[inline]
     pub fn movement(&mut self, mv: &Move, origin: &Origin) {
         if self.machine_axes.is_idle() {
-            return print(self.diags, self.machine, self.sink, mv, origin);
+            return print(self.diags, self.limits(), self.sink, mv, origin);
         }
         if let Err(found) = self.carried(mv, origin) {
             self.diags.push(*found);
@@ -37,12 +43,12 @@ impl Out<'_> {
     fn carried(&mut self, mv: &Move, origin: &Origin) -> Result<(), Box<Diagnostic>> {
         let path = self.machine_axes.spindle.per_minute(&mv.path, origin)?;
         let mv = Move { path, ..*mv };
-        let (diags, machine) = (self.diags, self.machine);
+        let (diags, limits) = (self.diags, self.limits());
         let sink = &mut *self.sink;
         match &mut self.machine_axes.transformer {
-            Some(transformer) => transformer.carry(&mv, origin, &mut |mv| print(diags, machine, sink, mv, origin)),
+            Some(transformer) => transformer.carry(&mv, origin, &mut |mv| print(diags, limits, sink, mv, origin)),
             None => {
-                print(diags, machine, sink, &mv, origin);
+                print(diags, limits, sink, &mv, origin);
                 Ok(())
             }
         }
@@ -70,10 +76,15 @@ impl Out<'_> {
     }
 }
 
+/// Travel limits that hold, where there are some.
+type Limits<'m> = Option<&'m BTreeMap<Axis, (f64, f64)>>;
+
 #[inline]
-fn print(diags: &Diags, machine: &Machine, sink: &mut dyn motion::Sink, mv: &Move, origin: &Origin) {
-    if !machine.limits.is_empty() && !mv.machine {
-        limits::check(mv, &machine.limits, *origin, diags);
+fn print(diags: &Diags, limits: Limits<'_>, sink: &mut dyn motion::Sink, mv: &Move, origin: &Origin) {
+    if let Some(limits) = limits
+        && !mv.machine
+    {
+        limits::check(mv, limits, *origin, diags);
     }
     sink.movement(mv, origin);
 }
@@ -82,6 +93,8 @@ fn print(diags: &Diags, machine: &Machine, sink: &mut dyn motion::Sink, mv: &Mov
 #[derive(Debug, Default)]
 pub struct MachineAxes {
     pub transformer: Option<Box<Transformer>>,
+    /// The working plane is tilted: what a coordinate of it is for an axis of the machine is not known.
+    pub tilted: bool,
     spindle: FeedSpindle,
 }
 
@@ -108,7 +121,8 @@ impl MachineAxes {
                 }
             }
             Function::Transformation(_) => return false,
-            Function::ToolPrepare { .. }
+            Function::Tilt(_)
+            | Function::ToolPrepare { .. }
             | Function::Cutter(_)
             | Function::Spindle(_)
             | Function::SpindleOf { .. }

@@ -17,6 +17,7 @@ pub mod limits;
 pub mod machine_axes;
 pub mod step;
 mod tap;
+mod tilt;
 pub mod transformation;
 pub mod undercut;
 
@@ -67,6 +68,8 @@ pub struct Lower<'a> {
     start: Pos,
     /// Axes that stand where the configuration says, and have not moved since.
     claimed: AxisSet,
+    /// Is the tool clear of the part?
+    clear: tilt::Clear,
     /// Moves taken so far.
     moves: u64,
     /// The last cycle that made no path, which was reported: a modal one comes again at each place.
@@ -98,6 +101,7 @@ impl<'a> Lower<'a> {
             recording: None,
             start: Pos::UNKNOWN,
             claimed: AxisSet::EMPTY,
+            clear: tilt::Clear::default(),
             moves: 0,
             refused: None,
             no_path: None,
@@ -349,6 +353,7 @@ impl<'a> Lower<'a> {
         if let Some((contour, into)) = cycle.finished()
             && self.ctx.frame.is_shift()
             && self.machine_axes.transformer.is_none()
+            && !self.machine_axes.tilted
         {
             let by = Vec2::new(self.ctx.frame.shift_of(Axis::Z), self.ctx.frame.shift_of(Axis::X));
             let contour: Vec<Element> = contour.iter().map(|element| element.shifted(by)).collect();
@@ -371,6 +376,7 @@ impl<'a> Lower<'a> {
 impl Sink for Lower<'_> {
     fn movement(&mut self, mv: &contour::Move, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx, origin);
+        self.clear.follow(mv);
         self.moves += match &mv.path {
             contour::Path::Arc(arc, _) => ARC + TURN * arc.whole_turns(),
             contour::Path::Rapid | contour::Path::Line(_) | contour::Path::Thread(_) => 1,
@@ -399,6 +405,9 @@ impl Sink for Lower<'_> {
         if let Function::Transformation(by) = function {
             return self.transform(*by, origin);
         }
+        if let Function::Tilt(tilting) = function {
+            return self.tilt(tilting, origin);
+        }
         self.displace(function);
         let (corners, mut finish) = self.split();
         corners.function(function, origin, finish.diags, &mut |event| finish.event(event));
@@ -409,6 +418,7 @@ impl Sink for Lower<'_> {
 
     fn tap(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx, origin);
+        self.clear.lost();
         self.tap_hole(tap, origin);
     }
 
@@ -464,6 +474,7 @@ impl Sink for Lower<'_> {
             self.flush();
         }
         self.at.clear();
+        self.clear.lost();
         self.last.forget();
         self.position_lost(origin);
     }

@@ -68,7 +68,7 @@ impl Lower<'_> {
     }
 
     fn check_limits(&self, tap: &Tap, place: &Place, origin: &Origin) {
-        if self.machine.limits.is_empty() {
+        if self.machine.limits.is_empty() || self.machine_axes.tilted {
             return;
         }
         for to in tap.strokes.iter().flat_map(|stroke| [stroke.to, stroke.back]) {

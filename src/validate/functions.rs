@@ -66,6 +66,7 @@ impl Validator {
             Function::Plane(meant) => {
                 acts.is_empty() && (self.plane.is_none() || self.reader.modes().plane == Some(plane(*meant)))
             }
+            Function::Tilt(tilting) => self.is_tilt(tilting, acts),
             Function::PathControl(said) => {
                 self.corners = self.output.path_control(*said, self.lathe).or(self.corners);
                 acts.iter().all(|act| matches!(act, Act::Corners(_))) && acts.len() < 2 && self.takes_corners()

@@ -12,6 +12,7 @@ mod moves;
 mod taps;
 #[cfg(test)]
 mod tests;
+mod tilt;
 
 use std::fmt;
 

@@ -67,6 +67,8 @@ offset, another plane or the end of the program comes while it is on. End it in 
         help "end the compensation in a block before it";
     working_plane_changes() "the working plane changes while radius compensation is on"
         help "end the compensation in a block before it";
+    working_plane_is_tilted() "the working plane is tilted while radius compensation is on"
+        help "end the compensation in a block before it";
     transformation_begins_or_ends() "a transformation begins or ends while radius compensation is on"
         help "end the compensation in a block before it";
 }

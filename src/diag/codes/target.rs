@@ -429,6 +429,13 @@ O9341 Error "rigid-tap-in-other-words" "the target cannot tap this hole"
         asks "program another speed, or print more places of a feed: `[output] decimals.feed`";
 }
 
+O9342 Error "no-tilted-plane" "target has no word for a tilted plane"
+"The selected target has no word for a working plane that is tilted, and what its axes would have to do instead depends on the machine: where its rotary axes \
+lie, and how long the tool is. The targets fanuc, mazak, sinumerik and heidenhain have words for it." {
+    target_has_no_word_for_tilted_plane(target) "the target {target} has no word for a tilted working plane"
+        asks "print for a target that has one: `--target fanuc`, `mazak`, `sinumerik` or `heidenhain`";
+}
+
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line before it; under G93, \
 where F is the time of its own block, it cannot. Print fewer places with `[output] decimals`, or move fewer axes in one block." {

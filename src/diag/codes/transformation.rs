@@ -45,8 +45,24 @@ feeds per turn of the workpiece spindle cannot be carried out there." {
         "the feed counts turns of the first spindle, which the transformation turns as an axis"
         help "program a feed per minute (G94), or make the driven spindle the master";
     another_axis_moves_together(axes) "another axis moves together with {axes}" help "move it in a block of its own";
+    plane_is_tilted() "the working plane is tilted inside the transformation"
+        help "end the transformation first";
     this_way_takes_more_parts(most) "this way takes more than {most} parts"
         help "keep the way farther from the axis of rotation, or divide it";
+}
+
+G3340 Error "tilt-beside-part" "rotary axes turn, and the tool was not taken away"
+"Where rotary axes turn, they turn the part or the tool, and what lies in between is not known. They turn only where the program took Z to a place of the \
+machine before, and moved main axes in machine coordinates alone since then, or where the configuration says to which place the tool goes first." {
+    rotary_axes_turn_beside_part() "rotary axes turn here, and the tool was not taken to a place of the machine before"
+        asks "take Z to a place of the machine before it (`L Z-1 R0 FMAX M91`, `SUPA G0 Z0 D0`), or give that place in \
+        machine coordinates: `[machine] swivel_retract`";
+}
+
+G3341 Warning "tilt-limits" "travel limits are not checked in a tilted plane"
+"Which places of the axes a tilted plane leads to is known at the machine. As long as one is on, moves are not held against `[machine] limits`." {
+    limits_are_not_checked() "from here on moves are not held against the travel limits: the working plane is tilted"
+        help "have the machine or its simulation check them";
 }
 
 S2280 Error "siemens-transformation-call" "argument of a transformation"

@@ -56,6 +56,7 @@ impl Printer<'_> {
             Function::Aux(number) => self.m_function(*number, origin),
             Function::WorkOffset(number) => self.work_offset(*number, origin),
             Function::Plane(plane) => self.select_plane(*plane, origin),
+            Function::Tilt(tilting) => self.tilt(tilting, origin),
             Function::PathControl(said) => self.path_control(*said, origin),
             Function::Comment(text) => self.comment(text, origin),
             Function::Remark(_) => {}

@@ -210,7 +210,8 @@ impl Clock {
                 self.cutting_speed = Some((*speed, *limit));
                 None
             }
-            Function::WorkOffset(_) => self.lost(),
+            // How far rotary axes turn is for the machine.
+            Function::WorkOffset(_) | Function::Tilt(_) => self.lost(),
             Function::Plane(_)
             | Function::PathControl(_)
             | Function::Comment(_)

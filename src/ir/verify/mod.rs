@@ -8,11 +8,13 @@ mod motion;
 #[cfg(test)]
 mod tests;
 
+use nalgebra::Matrix3;
+
 use crate::machine::Axis;
 
 use super::function::{PathControl, Spindle};
 use super::transformation::Surface;
-use super::{Feed, Function, Pos};
+use super::{Feed, Function, Pos, Tilt};
 
 pub use contour::Contour;
 pub use motion::{Chain, Motion, element};
@@ -59,6 +61,8 @@ pub enum Fault {
     Corner,
     /// A time, speed or radius below zero.
     Function,
+    /// The axes of a tilted plane are none.
+    Tilt,
     /// A tap that does not begin where the tool stands, or does not go in and out.
     Tap,
     /// Where axes stand is said after the first move.
@@ -108,6 +112,7 @@ fn function(function: &Function) -> Result<(), Fault> {
                 Some(Surface::Face) | None => Ok(()),
             };
         }
+        Function::Tilt(tilting) => return tilting.plane().map_or(Ok(()), tilt),
         Function::PathControl(Some(PathControl::Within(mm) | PathControl::Before(mm))) => return lead(*mm),
         Function::PathControl(_) => return Ok(()),
         Function::Dwell(seconds) => *seconds,
@@ -134,7 +139,19 @@ fn function(function: &Function) -> Result<(), Fault> {
     ensure(amount >= 0.0, Fault::Function)
 }
 
+/// Are the axes of the plane of unit length, at right angles and right-handed?
+fn tilt(tilt: &Tilt) -> Result<(), Fault> {
+    let numbers: Vec<f64> = tilt.axes.iter().chain(tilt.origin.iter()).copied().collect();
+    finite(&numbers)?;
+    let off = tilt.axes * tilt.axes.transpose() - Matrix3::identity();
+    let square = off.iter().all(|v| v.abs() <= TOLERANCE);
+    ensure(square && tilt.axes.determinant() > 0.0, Fault::Tilt)
+}
+
 /// Does `function` leave open where the tool tip is?
 fn displaces(function: &Function) -> bool {
-    matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. } | Function::Transformation(_))
+    matches!(
+        function,
+        Function::WorkOffset(_) | Function::ToolChange { .. } | Function::Transformation(_) | Function::Tilt(_)
+    )
 }

@@ -150,6 +150,7 @@ impl Compensator {
             Function::WorkOffset(_) => Some(codes::G3204::work_offset_changes()),
             Function::Cutter(_) => Some(codes::G3204::tool_data_change()),
             Function::Transformation(_) => Some(codes::G3204::transformation_begins_or_ends()),
+            Function::Tilt(_) => Some(codes::G3204::working_plane_is_tilted()),
             Function::Plane(plane) => (*plane != self.plane).then(codes::G3204::working_plane_changes),
             Function::ToolPrepare { .. }
             | Function::Spindle(_)
