@@ -155,12 +155,12 @@ K2703 Note "m-function-without-words" "M function has no counterpart in plain G-
 
 K2704 Note "retract-to-limit" "M140 MB MAX is printed as a move to a machine coordinate"
 "The control retracts to the end of the travel in the tool axis. The output moves to the machine coordinate in `[control] retract_max`." {
-    m140_mb_max_goes_to_machine_coordinate(axis, top) "M140 MB MAX goes to machine coordinate {axis}{top}";
+    goes_to_machine_coordinate(what, axis, top) "{what} goes to machine coordinate {axis}{top}";
 }
 
 K2705 Error "retract-limit-unknown" "M140 MB MAX needs the end of the travel"
 "How far the tool axis can go is known to the machine only. Give the machine coordinate in partc.toml: `[control] retract_max = -1.0`." {
-    m140_mb_max_retracts_to_end() "M140 MB MAX retracts to the end of the travel, which only the machine knows"
+    retracts_to_end(what) "{what} retracts to the end of the travel, which only the machine knows"
         asks "set the machine coordinate in partc.toml: `[control] retract_max = -1.0`";
 }
 
@@ -236,6 +236,17 @@ the plane after the shift that belongs to it. A mirror of X or Y and an uneven s
         "the working plane turns while a mirror or an uneven scaling of one of its axes is in force";
     working_plane_turns_while_datum_shift_along()
         "the working plane turns while a datum shift along the turned axes is in force";
+    only_shift_may_stand_before_plane()
+        "the working plane tilts while more than a shift of X, Y and Z is in force, and the order of both is open";
+    plane_ends_before_what_was_set_in_it()
+        "the tilted plane ends or changes while a mirror, rotation or scaling that was set in it is in force"
+        help "reset it before this block";
+    datum_is_shifted_in_plane_and_before()
+        "the datum is shifted in the tilted plane, and a shift from before the plane is in force: whether this one replaces it is open"
+        help "shift the datum before the plane only, or reset that shift and program the whole one in the plane";
+    shift_and_plane_are_not_both_reset()
+        "a datum shift and the tilted plane are not both reset: where this block leads is open"
+        help "reset the shift directly before or after PLANE RESET";
 }
 
 K2853 Note "plane-turned" "turn about the tool axis is printed in the coordinates"
@@ -264,6 +275,29 @@ K2855 Error "system-data-unit" "unit of a length that the control gives is open"
         "{r} is a length, and in an INCH program controls may give it in inches or in mm"
         asks "say which by `[control] system_unit = \"program\"` or `\"mm\"`; a TNC7 gives mm (`klartext = \
         \"tnc7\"`)";
+}
+
+K2857 Error "plane-not-reached" "rotary axes do not stand in the tilted plane"
+"A tilted plane is defined by PLANE or cycle 19, and reached by TURN or by the block of rotary axes that follows STAY: `L A+Q120 C+Q122 R0 FMAX`. Before it, and \
+after the plane has ended while the axes stay, coordinates count in a system in which the tool does not stand. Which angles the axes take is left to the \
+machine, so numbers for them cannot be held against the plane." {
+    axes_do_not_stand_in_plane()
+        "this block moves in a tilted plane in which the rotary axes are not known to stand"
+        help "let the plane turn them (TURN FMAX), or write `L A+Q120 C+Q122 R0 FMAX` with the axes of the machine before it";
+    axes_stand_as_plane_had_them()
+        "this block moves although the rotary axes still stand as the tilted plane had them"
+        help "turn them back before it: `PLANE RESET TURN FMAX`, or each of them to 0";
+    which_axes_turned_is_not_known()
+        "the tilted plane turned rotary axes that the program does not name, so this block may not turn all of them back"
+        help "write `PLANE RESET TURN FMAX`";
+    rotary_axis_moves_in_tilted_plane()
+        "a rotary axis moves to a number in a tilted plane: whether the tool stands in the plane then is known at the machine"
+        help "write `L A+Q120 C+Q122 R0 FMAX` with the axes of the machine";
+    plane_about_z_needs_turn()
+        "the plane is turned about Z alone while the rotary axes stay: where they stand then is not known"
+        help "write TURN, or end the plane by PLANE RESET before it";
+    plane_tilts_under_m128() "the working plane tilts while M128 is on" help "end it by M129 before the plane";
+    what_stands_in_tilted_plane(what) "{what} stands in a tilted working plane" help "end the plane by PLANE RESET before it";
 }
 
 K2856 Error "work-before-datum" "moves before a datum count from another one"

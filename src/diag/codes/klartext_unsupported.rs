@@ -58,10 +58,10 @@ Program the approach as L and C blocks." {
         help "program the departure as L and C blocks";
 }
 
-K9004 Error "tilting-unsupported" "tilted working plane cannot be compiled for three axes"
-usual "have the CAM system put out the tilted work for the target machine"
-"PLANE functions and cycle 19 turn the coordinate system in space, unless all they do is a turn about the tool axis Z. The output has no word \
-for that on three axes. Have the CAM system put out the tilted work for the target machine." {
+K9004 Error "tilting-unsupported" "tilted working plane that cannot be compiled"
+usual "have the CAM system put out the plane by space angles (PLANE SPATIAL … TURN)"
+"PLANE functions and cycle 19 turn the coordinate system in space. Space angles, Euler angles, vectors, points and RELATIVE say where the plane lies; axis angles \
+and projected angles, MOVE, SYM and words of a machine do not, unless the machine is known. Have the CAM system put out the tilted work by space angles." {
     moves_while_coordinates_are_turned_about_z(axis)
         "{axis} moves while the coordinates are turned about Z, and the turn is printed already"
         help "leave the move out, or program the rotary axis without PLANE, cycle 19 and TCH PROBE 404";
@@ -69,18 +69,30 @@ for that on three axes. Have the CAM system put out the tilted work for the targ
         "cycle 19 sets the rotary table to an angle, which only the machine can turn into coordinates";
     cycle_19_tilts_working_plane_by_b(a, b, c)
         "cycle 19 tilts the working plane by A{a:+} B{b:+} C{c:+}, which cannot be compiled for three axes";
-    cycle_19_tilts_working_plane_by_b_to(a, b, c, normal)
-        "cycle 19 tilts the working plane by A{a:+} B{b:+} C{c:+}: the tool axis points along {normal}, which cannot be \
-        compiled for three axes";
     sets_rotary_table_to_angle(plane)
         "{plane} sets the rotary table to an angle, which only the machine can turn into coordinates";
-    turns_about_another_axis(plane, axis)
-        "{plane} turns about another axis than Z, which is not compiled for the tool axis {axis}";
     tilts_working_plane(plane, words)
-        "{plane} tilts the working plane by {words}, which cannot be compiled for three axes";
-    tilts_working_plane_to(plane, words, normal)
-        "{plane} tilts the working plane by {words}: the tool axis points along {normal}, which cannot be compiled for \
-        three axes";
+        "{plane} tilts the working plane by {words}: where it lies then is known at the machine";
+    tilts_under_another_tool_axis(axis) "the working plane tilts under the tool axis {axis}, which is compiled for Z only";
+    data_are_no_plane(plane, words) "{plane} has data that make no plane: {words}";
+    vectors_are_not_perpendicular(plane, words)
+        "{plane} has vectors that are not perpendicular ({words}), of which controls make different planes"
+        help "write a vector B that is perpendicular to N";
+    sym_counts_from_point_of_machine(plane)
+        "{plane} chooses by SYM, which counts from a point of the machine" help "choose by SEQ";
+    moves_tool_while_axes_turn(plane)
+        "{plane} moves the tool with the part while the rotary axes turn (MOVE), beside the part"
+        help "retract the tool and write TURN";
+    names_none_of_stay_turn_move(plane) "{plane} names none of STAY, TURN and MOVE"
+        help "say what the rotary axes do: `TURN FMAX`, or `STAY`";
+    retracts_at_open_feed(plane) "{plane} retracts the tool by MB, and no F says how fast"
+        help "write FMAX, or a number for F";
+    cycle_19_leaves_angle_open()
+        "cycle 19 tilts the working plane and does not name each of A, B and C: what the others are is open"
+        help "write all three: `CYCL DEF 19.1 A+20 B+0 C+30`";
+    cycle_19_turns_axes_by_itself()
+        "cycle 19 turns the rotary axes by itself here, along with the tool"
+        help "leave F and the distance out, and turn the axes by `L A+Q120 C+Q122 R0 FMAX` after a retraction";
     turns_plane_by_unsettled_words(plane) "{plane} turns the plane by words whose sense no manual page settles";
     holds_word_that_is_not_known(plane) "{plane} holds a word that is not known, so its plane is open";
     retracts_tool_by_mb(plane) "{plane} retracts the tool by MB before it turns, which cannot be compiled";

@@ -17,6 +17,8 @@ pub enum By {
     Probe,
     /// A curve table names the axis, and is left out.
     Table,
+    /// The working plane was tilted, and the axis counts in another system.
+    Tilt,
     /// The axis went to this machine coordinate, or with an axis that did, and where the work offset lies is not known.
     Machine(Option<f64>),
 }
@@ -44,7 +46,7 @@ impl Hidden {
         match by {
             By::Call => self.called = self.called.union(axes),
             By::Probe => self.probed = self.probed.union(axes),
-            By::ToolChange | By::Edge | By::Table | By::Machine(_) => {}
+            By::ToolChange | By::Edge | By::Table | By::Tilt | By::Machine(_) => {}
         }
     }
 
@@ -92,6 +94,7 @@ pub fn because(hidden: Option<(By, Loc)>, here: Loc) -> String {
         By::Call => "the call",
         By::Probe => "the measuring",
         By::Table => "the curve table",
+        By::Tilt => "the turn of the working plane",
         By::Machine(_) => "the move in machine coordinates",
     };
     if loc.file == here.file { format!(" after {what} in line {}", loc.line) } else { format!(" after {what}") }

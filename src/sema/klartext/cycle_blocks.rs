@@ -83,7 +83,10 @@ impl Run<'_> {
         }
         let (frames, axis) = (&self.st.frames, self.st.axis());
         let next = match row.nature {
-            CycleKind::DatumShift => frames.shifted(&self.core, &self.datum_table.axes_of(&self.core, open)?)?,
+            CycleKind::DatumShift => {
+                let next = frames.shifted(&self.core, &self.datum_table.axes_of(&self.core, open)?)?;
+                return self.shift_datum(next);
+            }
             CycleKind::Mirror => frames.mirrored(&self.core, open.axes.iter().map(|axis| axis.axis).collect(), axis)?,
             CycleKind::Scaling => frames.scaled(&self.core, open.single_value(&self.core)?, axis)?,
             CycleKind::AxisScaling => frames.axes_scaled(&self.core, open)?,

@@ -22,6 +22,10 @@ use super::{Core, Outcome, Reported, Run};
 impl Run<'_> {
     pub(super) fn send_planned(&mut self, cycle: &DefinedCycle, planned: Planned) -> Outcome {
         self.core.budget.take(planned.steps);
+        if self.st.tilt.bars() {
+            self.bar();
+            return Err(Reported);
+        }
         if let Some(roughed) = planned.roughed {
             self.contours.roughed = Known::Given(Rc::from(roughed));
         }

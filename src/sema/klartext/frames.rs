@@ -27,6 +27,14 @@ impl Run<'_> {
         self.update_frame(span)
     }
 
+    /// A datum shift, which a tilted plane may stand before or behind.
+    pub(super) fn shift_datum(&mut self, next: Transformation) -> Outcome {
+        if let Err(fault) = self.st.tilt.shifts(&next) {
+            return self.st.refuse_motion(&mut self.core, Where::Block, fault);
+        }
+        self.set_transformation(next)
+    }
+
     /// Makes the frame follow the transformation and the length oversize.
     pub(super) fn update_frame(&mut self, span: Span) -> Outcome {
         let lift = self.st.tool.active().map_or(0.0, |tool| tool.call_deltas[0]);
@@ -84,7 +92,7 @@ impl Run<'_> {
         if configured.is_none() {
             self.core.say_here(codes::K2504::preset_is_printed(&number, &self.core.offset_word(offset)));
         }
-        if self.st.frames.transform().turn.0 != 0.0 {
+        if self.st.frames.transform().turn.0 != 0.0 || !self.st.tilt.is_upright() {
             return self.core.refuse(Where::Block, codes::K2852::datum_is_set_while_working_plane());
         }
         let stands = self.view().machine_coordinates();
@@ -121,6 +129,10 @@ impl Run<'_> {
             b"RESET" => {
                 return match words.next() {
                     Some(&word) => self.core.not_admitted(word, head),
+                    None if kind == Transform::Datum => {
+                        let next = self.st.frames.reset(&self.core, kind)?;
+                        self.shift_datum(next)
+                    }
                     None => self.set_transformation(self.st.frames.reset(&self.core, kind)?),
                 };
             }
@@ -129,7 +141,8 @@ impl Run<'_> {
                     return self.core.refuse(block.span, codes::K2402::trans_datum_table_names_no_row());
                 };
                 let axes = self.datum_table.row(&self.core, f64::from(row))?;
-                return self.set_transformation(self.st.frames.shifted(&self.core, &axes)?);
+                let next = self.st.frames.shifted(&self.core, &axes)?;
+                return self.shift_datum(next);
             }
             b"IROT" if kind == Transform::Rotation => {}
             label if label == wanted.as_bytes() => {}
@@ -141,7 +154,10 @@ impl Run<'_> {
         let (named, value) = transform_words(self.reading(), kind, head, words.as_slice(), block)?;
         let (frames, axis) = (&self.st.frames, self.st.axis());
         let next = match (kind, value) {
-            (Transform::Datum, None) if !named.is_empty() => frames.shifted(&self.core, &named)?,
+            (Transform::Datum, None) if !named.is_empty() => {
+                let next = frames.shifted(&self.core, &named)?;
+                return self.shift_datum(next);
+            }
             (Transform::Mirror, None) if !named.is_empty() => {
                 frames.mirrored(&self.core, named.iter().map(|axis| axis.axis).collect(), axis)?
             }

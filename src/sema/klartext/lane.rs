@@ -40,6 +40,7 @@ impl Run<'_> {
             && st.position.left_by_probes().is_empty()
             && !self.contour_waits()
             && st.described.is_none()
+            && !st.tilt.bars()
     }
 
     /// Executes the next block where it stands, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.

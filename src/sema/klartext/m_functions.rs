@@ -8,6 +8,7 @@ use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::{AxisSet, Unit};
 use crate::parser::klartext::ast::Block;
+use crate::text::Span;
 
 use super::active_tool::Change;
 use super::m_table::{Act, Args, When, entry};
@@ -96,40 +97,48 @@ impl Run<'_> {
 
     /// M140: away from the workpiece along the tool axis, before the block moves.
     fn retract(&mut self, m: &MWord) -> Outcome {
-        let axis = self.st.axis();
         let Args { feed, value, max, .. } = m.args;
         if feed.is_some_and(|feed| feed <= 0.0) {
             return self.core.refuse(m.span, codes::O1001::feed_of_m140_is_not_above_zero());
         }
         let feed = feed.map(|f| self.st.feed.counted(f, self.core.unit()));
         let path = Path::straight(feed);
-        let mut end = Pos::UNKNOWN;
         if max {
+            return self.retract_by("M140 MB MAX", None, path, m.span);
+        }
+        let way = value.unwrap_or(0.0);
+        if way <= 0.0 {
+            return self.core.refuse(m.span, codes::K2707::path_of_m140_is_not_above_zero());
+        }
+        self.retract_by("M140", Some(way), path, m.span)
+    }
+
+    /// Away from the workpiece along the tool axis, by `way` mm, or as far as the configuration says.
+    pub(super) fn retract_by(&mut self, what: &str, way: Option<f64>, path: Path, span: Span) -> Outcome {
+        let axis = self.st.axis();
+        let mut end = Pos::UNKNOWN;
+        let Some(way) = way else {
             let Some(top) = self.core.job.settings.control.retract_max else {
-                let fault = codes::K2705::m140_mb_max_retracts_to_end();
-                return self.core.refuse(m.span, fault.answer(Answer::key("control", "retract_max")));
+                let fault = codes::K2705::retracts_to_end(&what);
+                return self.core.refuse(span, fault.answer(Answer::key("control", "retract_max")));
             };
-            self.core.note(m.span, codes::K2704::m140_mb_max_goes_to_machine_coordinate(&axis.letter(), &top));
+            self.core.note(span, codes::K2704::goes_to_machine_coordinate(&what, &axis.letter(), &top));
             end.set(axis, top);
             let coords = Coords::Machine;
             self.forbid_open_approach()?;
             self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
             self.moved_by_machine(&end);
             return Ok(());
-        }
-        let way = value.unwrap_or(0.0);
-        if way <= 0.0 {
-            return self.core.refuse(m.span, codes::K2707::path_of_m140_is_not_above_zero());
-        }
+        };
         // The path is a real one: no scaling acts on it, and it leads away from the workpiece.
         let column = self.st.ctx.frame.linear().column(axis.index()).into_owned();
         let factor = column[axis.index()];
         if !(factor > 0.0 && AxisSet::MAIN.iter().all(|other| other == axis || column[other.index()] == 0.0)) {
-            return self.core.refuse(m.span, codes::K9008::m140_retracts_along(&axis.letter()));
+            return self.core.refuse(span, codes::K9008::m140_retracts_along(&axis.letter()));
         }
         let from = match self.st.position.get(axis) {
             Some(from) => from,
-            None => self.view().position_of(axis, m.span, "M140")?,
+            None => self.view().position_of(axis, span, what)?,
         };
         end.set(axis, from + way / factor);
         self.send(&end, path);
@@ -210,7 +219,10 @@ impl View<'_, '_> {
                     let (what, help) = refusal(m.number);
                     return self.core.refuse(m.span, codes::K9008::m(&m.number, &what).help(help));
                 }
-                Some(_) if m.number == 130 && self.st.frames.transform().turn.0 != 0.0 => {
+                Some(_)
+                    if m.number == 130
+                        && (self.st.frames.transform().turn.0 != 0.0 || self.st.tilt.plane().is_some()) =>
+                {
                     return self.core.refuse(m.span, codes::K9008::m130_takes_this_block_out_of_working());
                 }
                 Some((Act::CompensationOnly | Act::LookAhead, _))

@@ -46,7 +46,6 @@ mod pattern_def;
 mod patterns;
 mod place;
 mod plane;
-mod plane_normal;
 mod point_table;
 mod polar;
 mod pole;
@@ -63,6 +62,7 @@ mod state;
 mod survey;
 mod system;
 mod text_functions;
+mod tilt;
 mod tool;
 mod tool_table;
 mod transformation;
@@ -430,7 +430,7 @@ impl Run<'_> {
         if self.st.compensation.is_on() {
             self.core.say_here(codes::P2041::program_ends_with_radius_compensation());
         }
-        if !self.st.frames.transform().is_none() {
+        if !self.st.frames.transform().is_none() || !self.st.tilt.is_upright() {
             self.core.say_here(codes::K2502::program_ends_with_transformation_in_force());
         }
     }

@@ -37,6 +37,9 @@ impl Motion {
 impl Run<'_> {
     /// A path function, or `X+50 R+ F200`: one axis.
     pub(super) fn path_block(&mut self, function: PathFn, block: &Block) -> Outcome {
+        if !self.st.tilt.is_upright() && function == PathFn::Line && self.turns_into_plane(block)? {
+            return Ok(());
+        }
         let paraxial = block.stmt == Stmt::Paraxial;
         let (head, admits) = match paraxial {
             true => ("positioning", Admits::PATH.and(Admits::PARAXIAL)),
@@ -194,6 +197,9 @@ impl Run<'_> {
         let end = if w.has_m(92) { self.view().by_builders_datum(w)? } else { w.axes };
         self.st.frames.no_rotary_move_under_turn(&self.core, end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
+            if let Err(fault) = self.st.tilt.admits_rotary() {
+                return self.core.refuse(w.axes_span, fault);
+            }
             self.st.rotary.check_tip(&self.core, &self.st.position, axis, None, w.axes_span)?;
             self.st.rotary.moves(axis);
         }

@@ -54,6 +54,9 @@ impl View<'_, '_> {
     /// What lies between the machine coordinate of an axis and its printed place in the datum.
     fn zero_in_machine(&self, axis: Axis) -> Result<f64, Lack> {
         let frames = &self.st.frames;
+        if !self.st.tilt.is_upright() {
+            return Err(Lack::Nothing);
+        }
         if frames.transform().is_turned_as_a_whole() || frames.transform().turn.0 != 0.0 {
             return Err(Lack::Nothing);
         }

@@ -1,13 +1,15 @@
-//! PLANE functions and cycle 19 that tilt nothing, and what M128 does while no rotary axis moves.
+//! PLANE functions and cycle 19, and what M128 does while no rotary axis moves.
 //!
-//! Source: K 3.4 and 2.14 (docs/sources.md). A tilt by nothing is how CAM posts write 3-axis work for a machine with
-//! rotary axes; a turn about the tool axis Z stays in the plane. Every real tilt is refused.
+//! Source: K 3.4 and 2.14, M 2 (docs/sources.md). A tilt by nothing is how CAM posts write 3-axis work for a machine with
+//! rotary axes; a turn about the tool axis Z stays in the plane. What tilts is carried out in [`super::tilt`].
 
 use libm::atan2;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::diag::{Answer, Fault, codes};
-use crate::geo::Deg;
+use crate::geo::{Deg, rotation};
+use crate::ir::contour::Path;
+use crate::ir::tilt::Solution;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::Axis;
 use crate::parser::klartext::ast::Block;
@@ -16,8 +18,8 @@ use crate::text::{Span, decode::readable};
 
 use super::block_text::block_name;
 use super::cycle_definition::{Labelled, Open};
-use super::plane_normal;
 use super::reading::signed_number;
+use super::tilt::{self, Positioning};
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
@@ -29,12 +31,21 @@ struct Plane {
     data: Vec<(String, f64)>,
     /// STAY, TURN or MOVE.
     positioning: Option<String>,
-    /// MB: the tool is retracted before the axes turn.
-    retract: bool,
+    /// MB: the tool is retracted before the axes turn, by a way in mm or as far as it goes.
+    retract: Option<Retraction>,
     /// How the rotary axes go, as written; not STAY, which moves nothing, nor COORD ROT, which is what is compiled.
     ways: Vec<String>,
     /// A word that is not known.
     open: bool,
+}
+
+/// What MB asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Retraction {
+    /// Nothing is written behind MB.
+    Open,
+    By(f64),
+    Max,
 }
 
 /// What a plane does to the one before.
@@ -73,10 +84,14 @@ impl Plane {
                 (_, "F" | "DIST" | "ABST", number) if signed_number(number).is_some() => {
                     plane.ways.push(word.to_owned())
                 }
-                (_, "MB", rest) if !plane.retract && (rest.is_empty() || signed_number(rest).is_some()) => {
-                    plane.retract = true
+                (_, "MB", "") if plane.retract.is_none() => plane.retract = Some(Retraction::Open),
+                (_, "MB", rest) if plane.retract.is_none() && signed_number(rest).is_some() => {
+                    plane.retract = signed_number(rest).map(Retraction::By);
                 }
-                (_, "MAX", "") if plane.retract => {}
+                (_, "MAX", "") if plane.retract == Some(Retraction::Open) => plane.retract = Some(Retraction::Max),
+                (_, "", way) if plane.retract == Some(Retraction::Open) && signed_number(way).is_some() => {
+                    plane.retract = signed_number(way).map(Retraction::By);
+                }
                 _ => match parameter(rest) {
                     Some(number) => plane.data.push((name.to_owned(), number)),
                     None => plane.open = true,
@@ -103,7 +118,7 @@ impl Plane {
     fn why_open(&self, name: &str) -> Fault {
         match (self.open, self.retract, self.kind.as_str()) {
             (true, ..) => codes::K9004::holds_word_that_is_not_known(&name),
-            (_, true, _) => codes::K9004::retracts_tool_by_mb(&name),
+            (_, Some(Retraction::Open), _) => codes::K9004::retracts_tool_by_mb(&name),
             (.., "SPATIAL") => codes::K9004::needs_each_of_spa_spb_spc(&name),
             (.., "EULER") => codes::K9004::needs_each_of_eulpr_eulnu_eulrot(&name),
             _ => codes::K9004::does_not_hold_words_of_this_plane(&name),
@@ -113,7 +128,7 @@ impl Plane {
     fn effect(&self) -> Effect {
         let turned = |tilts: bool, angle: f64| if tilts { Effect::Tilted } else { Effect::Turned(angle) };
         let known = match self.kind.as_str() {
-            _ if self.open || self.retract => None,
+            _ if self.open || self.retract == Some(Retraction::Open) => None,
             "RESET" => self.data.is_empty().then_some(Effect::Turned(0.0)),
             // Half a turn about X and one about Y make one about Z.
             "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(|[a, b, c]| match (within_turn(a), within_turn(b)) {
@@ -153,7 +168,7 @@ impl Plane {
             }),
             // X of the plane lies along P1 to P2; the tool comes from the positive side.
             "POINTS" => self.points().and_then(|[p, q, r]| {
-                plane_normal::points([p, q, r])?;
+                rotation::of_points([p, q, r])?;
                 let along = q - p;
                 let upright = p.z == q.z && q.z == r.z;
                 Some(turned(
@@ -172,26 +187,70 @@ impl Plane {
         Some([Vector3::new(a, b, c), Vector3::new(d, e, f), Vector3::new(g, h, i)])
     }
 
-    /// By what it tilts, and where the tool axis points then; the plane stands at `angle` about Z already.
-    fn tilted(&self, angle: f64) -> (String, Option<Vector3<f64>>) {
-        let words: Vec<String> = self.data.iter().map(|(name, value)| format!("{name}{value:+}")).collect();
-        let normal = match self.kind.as_str() {
-            "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(plane_normal::spatial),
-            "EULER" => self.exactly(["EULPR", "EULNU", "EULROT"]).map(plane_normal::euler),
-            "VECTOR" => self
-                .exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"])
-                .and_then(|[.., x, y, z]| Vector3::new(x, y, z).try_normalize(1e-12)),
-            "POINTS" => self.points().and_then(plane_normal::points),
-            "RELATIVE" => self.data.first().map(|(name, value)| {
-                let axis = usize::from(name == "SPB");
-                plane_normal::turn(2, angle) * plane_normal::turn(axis, *value) * Vector3::z()
-            }),
+    /// The axes of the plane, where those in force lie along `base`.
+    ///
+    /// # Errors
+    /// Why what it says is no plane, or is one only at the machine.
+    fn axes(&self, name: &str, base: &Matrix3<f64>) -> Result<Matrix3<f64>, Fault> {
+        let words = || self.data.iter().map(|(name, value)| format!("{name}{value:+}")).collect::<Vec<_>>().join(" ");
+        let none = || codes::K9004::data_are_no_plane(&name, &words());
+        match self.kind.as_str() {
+            "RESET" => Ok(Matrix3::identity()),
+            "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(rotation::spatial).ok_or_else(none),
+            "EULER" => self.exactly(["EULPR", "EULNU", "EULROT"]).map(rotation::euler).ok_or_else(none),
+            "RELATIVE" => match self.data.as_slice() {
+                [(name, angle)] => {
+                    let axis = ["SPA", "SPB", "SPC"].iter().position(|known| known == name).ok_or_else(none)?;
+                    Ok(base * rotation::about(axis, Deg(*angle)))
+                }
+                _ => Err(none()),
+            },
+            "VECTOR" => {
+                let [bx, by, bz, nx, ny, nz] = self.exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"]).ok_or_else(none)?;
+                let (base, normal) = (Vector3::new(bx, by, bz), Vector3::new(nx, ny, nz));
+                let axes = rotation::of_vectors(base, normal).ok_or_else(none)?;
+                // What a control makes of vectors at another angle differs by its generation.
+                if (base.dot(&normal) / (base.norm() * normal.norm())).abs() > SQUARE {
+                    return Err(codes::K9004::vectors_are_not_perpendicular(&name, &words()));
+                }
+                Ok(axes)
+            }
+            "POINTS" => self.points().and_then(rotation::of_points).ok_or_else(none),
             // The signs of the one, and the axes of the other, are known at the machine.
-            _ => None,
-        };
-        (words.join(" "), normal)
+            _ => Err(codes::K9004::tilts_working_plane(&name, &words())),
+        }
+    }
+
+    /// Which solution SEQ demands.
+    ///
+    /// # Errors
+    /// SYM, whose sides lie about a point of the machine.
+    fn solution(&self, name: &str) -> Result<Solution, Fault> {
+        let has = |word: &str| self.ways.iter().any(|way| way == word);
+        match (has("SEQ+"), has("SEQ-")) {
+            _ if has("SYM+") || has("SYM-") => Err(codes::K9004::sym_counts_from_point_of_machine(&name)),
+            (true, true) => Err(codes::K9004::does_not_hold_words_of_this_plane(&name)),
+            (false, false) => Ok(Solution::Control),
+            (positive, _) => Ok(Solution::Primary { positive }),
+        }
+    }
+
+    /// What the rotary axes do.
+    ///
+    /// # Errors
+    /// MOVE, or none of the three words.
+    fn positioning(&self, name: &str) -> Result<Positioning, Fault> {
+        match self.positioning.as_deref() {
+            Some("STAY") => Ok(Positioning::Stay),
+            Some("TURN") => Ok(Positioning::Turn),
+            Some(_) => Err(codes::K9004::moves_tool_while_axes_turn(&name)),
+            None => Err(codes::K9004::names_none_of_stay_turn_move(&name)),
+        }
     }
 }
+
+/// Cosine of the angle between two vectors that count as perpendicular.
+const SQUARE: f64 = 0.001;
 
 /// 0 to 360, without whole turns.
 fn within_turn(angle: f64) -> f64 {
@@ -211,7 +270,15 @@ fn end_of_name(word: &str) -> usize {
 /// Would the block be refused for what it does to the plane?
 pub(super) fn tilts(code: &[u8]) -> bool {
     let plane = Plane::read(&readable(code).to_ascii_uppercase(), &mut signed_number);
-    !matches!(plane.effect(), Effect::Turned(_) | Effect::TurnedBy(_))
+    match plane.effect() {
+        Effect::Turned(_) | Effect::TurnedBy(_) => false,
+        Effect::Tilted => {
+            plane.axes("", &Matrix3::identity()).is_err()
+                || plane.positioning("").is_err()
+                || plane.solution("").is_err()
+        }
+        Effect::Table | Effect::Unsettled | Effect::Open => true,
+    }
 }
 
 impl Run<'_> {
@@ -231,22 +298,22 @@ impl Run<'_> {
             return Err(Reported);
         }
         let (name, span) = block_name(block, text, 2);
-        let angle = match plane.effect() {
+        let effect = plane.effect();
+        if let Some(way) = plane.retract.filter(|way| *way != Retraction::Open)
+            && !matches!(effect, Effect::Open)
+        {
+            self.retract_before_plane(way, &plane, &name, span)?;
+        }
+        let tilts = matches!(effect, Effect::Tilted);
+        if tilts || !self.st.tilt.is_upright() && !matches!(effect, Effect::Open) {
+            return self.tilting_block(&plane, &name, span);
+        }
+        let angle = match effect {
             Effect::Turned(angle) => Ok(angle),
             Effect::TurnedBy(angle) => Ok(self.st.frames.transform().turn.0 + angle),
             Effect::Table => Err(codes::K9004::sets_rotary_table_to_angle(&name)),
-            Effect::Tilted if self.st.axis() != Axis::Z => {
-                Err(codes::K9004::turns_about_another_axis(&name, &self.st.axis().letter()))
-            }
-            Effect::Tilted => {
-                let (words, normal) = plane.tilted(self.st.frames.transform().turn.0);
-                Err(match normal {
-                    Some(normal) => codes::K9004::tilts_working_plane_to(&name, &words, &plane_normal::shown(&normal)),
-                    None => codes::K9004::tilts_working_plane(&name, &words),
-                })
-            }
             Effect::Unsettled => Err(codes::K9004::turns_plane_by_unsettled_words(&name)),
-            Effect::Open => Err(plane.why_open(&name)),
+            Effect::Tilted | Effect::Open => Err(plane.why_open(&name)),
         };
         let angle = match angle {
             Ok(angle) => angle,
@@ -256,23 +323,52 @@ impl Run<'_> {
         self.turn_plane(&name, angle, (moves, plane.positioning.as_deref() == Some("TURN")), &plane.ways)
     }
 
+    /// A PLANE block that tilts, or ends a plane that is tilted.
+    fn tilting_block(&mut self, plane: &Plane, name: &str, span: Span) -> Outcome {
+        let base = match self.st.tilt.plane() {
+            Some(tilt) => tilt.axes,
+            None => rotation::about(2, self.st.frames.transform().turn),
+        };
+        let what = plane.axes(name, &base).and_then(|axes| {
+            // A plane that ends by RESET says how, and which solution does not matter.
+            Ok((axes, plane.positioning(name)?, plane.solution(name)?))
+        });
+        let (axes, positioning, solution) = match what {
+            Ok(what) => what,
+            Err(fault) => return self.st.refuse_motion(&mut self.core, span, fault),
+        };
+        match tilt::upright(&axes) {
+            Some(angle) => self.tilt_back(angle, positioning, span.into()),
+            None => self.tilt_into(axes, solution, positioning, span.into()),
+        }
+    }
+
+    /// MB: the tool goes back along its axis before rotary axes turn.
+    fn retract_before_plane(&mut self, way: Retraction, plane: &Plane, name: &str, span: Span) -> Outcome {
+        let what = format!("{name} … MB");
+        let feed = plane.ways.iter().find_map(|way| way.strip_prefix('F')).map(str::to_owned);
+        let path = match feed.as_deref() {
+            Some("MAX") => Path::Rapid,
+            Some(number) if signed_number(number).is_some_and(|feed| feed > 0.0) => {
+                let feed = signed_number(number).unwrap_or_default();
+                Path::Line(self.st.feed.counted(feed, self.core.unit()))
+            }
+            _ => return self.st.refuse_motion(&mut self.core, span, codes::K9004::retracts_at_open_feed(&name)),
+        };
+        let way = match way {
+            Retraction::By(way) => Some(way * self.core.mm()),
+            Retraction::Max | Retraction::Open => None,
+        };
+        self.retract_by(&what, way, path, span)
+    }
+
     /// Cycle 19. Its angles are space angles, or those of rotary axes: what it is on this machine is configured.
     pub(super) fn tilt(&mut self, open: &Open) -> Outcome {
         let angle = |axis| open.axes.iter().find(|at| at.axis == axis).and_then(|at| at.value).unwrap_or(0.0);
         let tilted = open.axes.iter().any(|at| at.axis != Axis::C && at.value.unwrap_or(0.0) != 0.0);
         let turn = angle(Axis::C);
-        if tilted {
-            let angles = [angle(Axis::A), angle(Axis::B), turn];
-            let [a, b, c] = angles;
-            return self.core.refuse(
-                Where::Block,
-                if self.core.job.settings.control.klartext_choices.cycle_19_axes {
-                    codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c)
-                } else {
-                    let normal = plane_normal::shown(&plane_normal::spatial(angles));
-                    codes::K9004::cycle_19_tilts_working_plane_by_b_to(&a, &b, &c, &normal)
-                },
-            );
+        if tilted || !self.st.tilt.is_upright() {
+            return self.tilting_cycle(open, [angle(Axis::A), angle(Axis::B), turn]);
         }
         if turn != 0.0 {
             if self.core.job.settings.control.klartext_choices.cycle_19_axes {
@@ -289,6 +385,29 @@ impl Run<'_> {
         };
         let ways: Vec<String> = open.values.iter().map(word).collect();
         self.turn_plane("cycle 19", turn, (moves, moves), &ways)
+    }
+
+    /// Cycle 19 that tilts, or ends a plane that is tilted: it defines the plane, and a block of its own turns the axes.
+    fn tilting_cycle(&mut self, open: &Open, angles: [f64; 3]) -> Outcome {
+        let [a, b, c] = angles;
+        let all = [Axis::A, Axis::B, Axis::C].iter().all(|axis| open.axes.iter().any(|at| at.axis == *axis));
+        let fault = if self.core.job.settings.control.klartext_choices.cycle_19_axes {
+            Some(codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c))
+        } else if !(all || open.axes.is_empty()) {
+            Some(codes::K9004::cycle_19_leaves_angle_open())
+        } else if !open.values.is_empty() {
+            Some(codes::K9004::cycle_19_turns_axes_by_itself())
+        } else {
+            None
+        };
+        if let Some(fault) = fault {
+            return self.st.refuse_motion(&mut self.core, Where::Block, fault);
+        }
+        let axes = rotation::spatial(angles);
+        match tilt::upright(&axes) {
+            Some(angle) => self.tilt_back(angle, Positioning::Stay, Where::Block),
+            None => self.tilt_into(axes, Solution::Control, Positioning::Stay, Where::Block),
+        }
     }
 
     /// The working plane stands at `angle` about Z from here on. With `moves` the control may turn the table to it, and
@@ -352,6 +471,9 @@ impl Run<'_> {
 
     /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
     pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
+        if on && !self.st.tilt.is_upright() {
+            return self.core.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
+        }
         if on && !self.st.rotary.stands_upright(&self.st.position, &self.st.ctx.frame) {
             return self.core.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
         }

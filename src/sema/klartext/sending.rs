@@ -56,6 +56,9 @@ impl Run<'_> {
             let (cuts, along) = (self.st.cuts(mv), mv.end.get(self.st.axis()).is_some());
             self.st.tool.watch_move(&self.core, cuts, along);
         }
+        if self.st.tilt.bars() && self.is_barred(mv) {
+            return;
+        }
         if let Some(corner) = self.st.corner.take() {
             self.side_at_corner(&corner, mv.side);
         }
@@ -182,6 +185,9 @@ impl Run<'_> {
             if self.st.feed.at_surface && cuts {
                 return self.core.refuse(w.axes_span, codes::K2509::moves_at_feed_under_m116(&axis.letter()));
             }
+            if let Err(fault) = self.st.tilt.admits_rotary() {
+                return self.core.refuse(w.axes_span, fault);
+            }
             let (rotary, position, span) = (&mut self.st.rotary, &self.st.position, w.axes_span);
             rotary.moves(axis);
             if w.incremental.contains(axis) {
@@ -192,6 +198,7 @@ impl Run<'_> {
             }
             let target = rotary.target(&self.core, position, axis, end.get(axis).unwrap_or(0.0), span);
             rotary.check_tip(&self.core, position, axis, Some(target), span)?;
+            self.st.tilt.rotary_at(axis, target);
             end.set(axis, target);
         }
         Ok(end)

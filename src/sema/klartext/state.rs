@@ -22,6 +22,7 @@ use super::labels::Label;
 use super::pole::PolarState;
 use super::rotary::RotaryState;
 use super::spindle::SpindleState;
+use super::tilt::TiltState;
 use super::transformation::Transformation;
 use super::words::{FeedWord, Words};
 use super::{Core, Outcome, Reported};
@@ -41,6 +42,7 @@ pub(super) struct State {
     pub frames: FrameState,
     pub spindle: SpindleState,
     pub rotary: RotaryState,
+    pub tilt: TiltState,
     /// How the last move led to where it ends.
     pub last_path: Path,
     /// Direction of a tangential arc at its start, if that was the last move.
@@ -84,6 +86,7 @@ impl State {
             frames: FrameState::new(Transformation::none(settings.control.klartext_readings.mirror_last)),
             spindle: SpindleState::default(),
             rotary: RotaryState::default(),
+            tilt: TiltState::default(),
             last_path: Path::Rapid,
             last_entry: None,
             moved: false,

@@ -157,6 +157,8 @@ impl Answers<'_, '_> {
             (20, 4) => self.view.st.spindle.speed(),
             (50, 1..=6) => return self.table_value(r),
             (200, 1..=3) => self.view.st.tool.active().and_then(|tool| tool.size(r, mm)),
+            // What the control gives of a tilted plane depends on how it was defined.
+            (210, 5 | 6) if !self.view.st.tilt.is_upright() => None,
             (210 | 220, _) => transformed(self.view.st.frames.transform(), r, mm),
             (240, 1) => axis.filter(|axis| !self.view.st.position.may_be_moved(*axis)).and_then(|axis| {
                 let value = self.view.machine_coordinate(axis)?;

@@ -178,6 +178,10 @@ impl Run<'_> {
         if call.axis.is_none() && self.st.tool.axis().is_none() && tool.as_ref().is_some_and(|tool| !tool.is_none()) {
             return self.core.refuse(block.span, codes::K2004::first_tool_call_has_no_tool_axis());
         }
+        if tool.is_some() && self.st.tilt.plane().is_some() {
+            let fault = codes::K2857::what_stands_in_tilted_plane(&"TOOL CALL");
+            return self.st.refuse_motion(&mut self.core, block.span, fault);
+        }
         let turned = call.axis.is_some_and(|axis| self.st.tool.set_axis(axis));
         if turned {
             self.function(Function::Plane(self.st.plane()));
