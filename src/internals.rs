@@ -21,7 +21,7 @@ pub mod emit {
 }
 
 pub mod geo {
-    pub use crate::geo::{Deg, Element, Plane, Point2, undercut};
+    pub use crate::geo::{Deg, Element, Plane, Point2, rotation, undercut};
 }
 
 pub mod ir {

@@ -140,7 +140,7 @@ books! {
     sinumerik_variables = "sinumerik/variables":
         arrays divisors kept;
     targets_klartext = "targets/klartext":
-        compensation feeds rigid_taps;
+        compensation feeds rigid_taps tilted_planes;
     targets_sinumerik = "targets/sinumerik":
         compensation path_control rigid_taps spindle spindle_angles tap_blocks tap_steps;
 }

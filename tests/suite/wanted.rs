@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use partc::internals::driver::Session;
-use partc::internals::geo::Plane;
+use partc::internals::geo::{Plane, rotation};
 use partc::internals::ir::function::{Coolant, Spindle, Turn};
 use partc::internals::ir::{Function, Origin, Pos, motion};
 use partc::internals::machine::Axis;
@@ -86,6 +86,10 @@ enum Item {
     Dwell(f64),
     /// Cutting speed in m/min.
     Cutting(f64),
+    /// A working plane by its space angles and its zero point.
+    Plane([f64; 6]),
+    /// The plane ends, and the rotary axes turn back or stay.
+    PlaneEnds { turns: bool },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,6 +116,13 @@ impl Item {
             "G3" => Kind::Arc { ccw: true },
             "thread" => Kind::Thread,
             "dwell" => return Ok(Item::Dwell(rest.parse().map_err(|_| format!("`{text}` has no seconds"))?)),
+            "plane" if rest == "back" || rest == "off" => return Ok(Item::PlaneEnds { turns: rest == "back" }),
+            "plane" => {
+                let numbers: Vec<f64> =
+                    rest.split_whitespace().filter(|word| *word != "at").filter_map(|n| n.parse().ok()).collect();
+                let numbers = <[f64; 6]>::try_from(numbers);
+                return numbers.map(Item::Plane).map_err(|_| format!("`{text}`: `plane A B C at X Y Z`"));
+            }
             "cutting" => return Ok(Item::Cutting(rest.parse().map_err(|_| format!("`{text}` has no speed"))?)),
             _ => match words(text)?[..] {
                 [word] if matches!(word.0, 'M' | 'S' | 'T' | 'G') => return Ok(Item::Function(word)),
@@ -136,6 +147,14 @@ impl Item {
             (Item::Move { machine, .. }, Act::Move(mv, from)) => *machine == mv.machine && self.is_made_by(mv, from),
             (Item::Function(word), Act::Function(function)) => does(function, *word),
             (Item::Dwell(seconds), Act::Function(Function::Dwell(made))) => near(*made, *seconds),
+            (Item::Plane(wanted), Act::Function(Function::Tilt(tilting))) => tilting.plane().is_some_and(|tilt| {
+                let [a, b, c, origin @ ..] = *wanted;
+                let off = rotation::spatial([a, b, c]) - tilt.axes;
+                off.iter().all(|v| v.abs() < TURNED) && origin.iter().zip(tilt.origin.iter()).all(|(a, b)| near(*a, *b))
+            }),
+            (Item::PlaneEnds { turns }, Act::Function(Function::Tilt(tilting))) => {
+                tilting.plane().is_none() && tilting.turns() == *turns
+            }
             (Item::Cutting(wanted), Act::Function(Function::Spindle(Spindle::CuttingSpeed { speed, .. }))) => {
                 near(*speed, *wanted)
             }
@@ -177,6 +196,9 @@ impl Item {
         made == *kind && ends && starts && round
     }
 }
+
+/// What the fourth decimal of an angle may move a direction by.
+const TURNED: f64 = 2e-6;
 
 fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= WRITTEN
