@@ -146,6 +146,8 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
     moves_axes_of_plane(name) "{name} moves the axes of the plane and the tool axis";
     is_arc_in_plane(function) "{function} is an arc in the plane and moves no other axis"
         help "program the other axis in a block of its own";
+    has_no_place_behind_section(text) "`{text}` has no place after a section word, which stands alone in its line"
+        help "write it into a line of its own";
     has_no_place_in_cycle(text, cycle) "`{text}` has no place in cycle {cycle}";
     stands_in_name_of_cycle(word_text, number) "`{word_text}` stands in the name of the cycle"
         help "the values of cycle {number} belong into the blocks {number}.1 and up";

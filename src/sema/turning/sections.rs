@@ -223,6 +223,7 @@ impl Core<'_> {
 impl Run<'_> {
     pub(super) fn section(&mut self, section: Section, rest: Span, text: &[u8]) -> Outcome {
         self.settle_chain()?;
+        self.section_stands_alone(section, rest, text);
         match section {
             Section::Return if self.sections.passing => {
                 self.sections.passing = false;
@@ -259,6 +260,32 @@ impl Run<'_> {
         }
         self.sections.part = part;
         Ok(())
+    }
+
+    /// Words behind a section that takes none would be lost (T 3.2).
+    fn section_stands_alone(&mut self, section: Section, rest: Span, text: &[u8]) {
+        let alone = match section {
+            Section::Head
+            | Section::Machining
+            | Section::Finished
+            | Section::Blank
+            | Section::Names
+            | Section::Return
+            | Section::End => true,
+            // They have a number, a name, a place or data of a chuck.
+            Section::Turret
+            | Section::Clamping
+            | Section::Contours
+            | Section::AuxiliaryBlank
+            | Section::AuxiliaryContour
+            | Section::Milling
+            | Section::Assignment
+            | Section::Subprogram => false,
+        };
+        let words = rest.of(text).trim_ascii();
+        if alone && !words.is_empty() {
+            self.core.say(rest, codes::P1003::has_no_place_behind_section(&readable(words)));
+        }
     }
 
     /// END, RETURN of a macro, M30.
