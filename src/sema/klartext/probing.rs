@@ -30,6 +30,8 @@ pub(super) struct Probe {
     parameters: Vec<QRef>,
     /// What its own parameters are set to, as written.
     given: Vec<(u32, String)>,
+    /// The first word that belongs neither to its name nor to a parameter.
+    stray: Option<String>,
 }
 
 impl Probe {
@@ -41,11 +43,21 @@ impl Probe {
         let digits: String = body.trim_start().chars().take_while(char::is_ascii_digit).collect();
         let part = body.trim_start()[digits.len()..].strip_prefix('.').unwrap_or_default();
         let goes_on = part.starts_with(|c: char| ('1'..='9').contains(&c));
-        let mut probe =
-            Probe { number: digits.parse().unwrap_or(u32::MAX), goes_on, parameters: Vec::new(), given: Vec::new() };
+        let mut probe = Probe {
+            number: digits.parse().unwrap_or(u32::MAX),
+            goes_on,
+            parameters: Vec::new(),
+            given: Vec::new(),
+            stray: None,
+        };
+        let mut parameters_begin = false;
         for line in std::iter::once(body.to_owned()).chain(lines) {
             let line = line.split(';').next().unwrap_or_default();
             probe.given.extend(assignments(line));
+            if probe.stray.is_none() {
+                probe.stray = stray(line, !part.is_empty(), &mut parameters_begin);
+            }
+            parameters_begin = true;
             // What stands behind the sign is read, not written.
             let line = line.split('=').next().unwrap_or_default();
             for word in line.split_whitespace() {
@@ -99,6 +111,21 @@ fn assignments(line: &str) -> impl Iterator<Item = (u32, String)> {
     })
 }
 
+/// A word of a line that is no parameter, where the name of the cycle is over. The old cycles, with `dotted` numbers, have places of axes
+/// and feeds, but no M function.
+fn stray(line: &str, dotted: bool, parameters_begin: &mut bool) -> Option<String> {
+    if line.contains('"') {
+        return None;
+    }
+    let joined = line.replace(" =", "=").replace("= ", "=");
+    joined.split_whitespace().filter(|word| *word != "~").map(|word| word.trim_end_matches('~')).find_map(|word| {
+        let is_m =
+            word.strip_prefix('M').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
+        *parameters_begin |= word.contains('=');
+        (is_m || !dotted && *parameters_begin && !word.contains('=')).then(|| word.to_owned())
+    })
+}
+
 /// A definition that was skipped: the lines of parameters behind it, which belong to it, go with it.
 #[derive(Debug, Default)]
 pub(super) struct Skipped {
@@ -142,6 +169,9 @@ impl Run<'_> {
     pub(super) fn probe(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let (name, span) = block_name(block, text, 2);
         let probe = Probe::read(block.span.of(text));
+        if let Some(stray) = &probe.stray {
+            self.core.say(span, codes::P1003::has_no_place_in_cycle(stray, &probe.number));
+        }
         if probe.sets_rotation() {
             return self.set_basic_rotation(&probe, span);
         }
@@ -190,11 +220,17 @@ mod tests {
         let q = |number| QRef { kind: QKind::Q, number };
         let probe = Probe::read(b"TCH PROBE 419 DATUM Q ~\n Q263=+Q7 ;1ST POINT Q8 ~\n Q303=+1");
         let given = vec![(263, "+Q7".to_owned()), (303, "+1".to_owned())];
-        assert_eq!(probe, Probe { number: 419, goes_on: false, parameters: vec![q(263), q(303)], given });
+        assert_eq!(probe, Probe { number: 419, goes_on: false, parameters: vec![q(263), q(303)], given, stray: None });
         assert_eq!((probe.text_of(303), probe.text_of(305)), (Some("+1"), None));
         assert!(!probe.measures_tools() && !probe.turns() && !probe.fills_a_run());
+        let stray = |code: &[u8]| Probe::read(code).stray;
+        let stray_of_404 = stray(b"TCH PROBE 404 SET BASIC ROTATION ~\n Q307 = +0 CCA30 ;X ~\n Q305=0");
+        assert_eq!(stray_of_404.as_deref(), Some("CCA30"));
+        assert_eq!(stray(b"TCH PROBE 404 SET M8 ~\n Q307=+0").as_deref(), Some("M8"));
+        assert_eq!(stray(b"TCH PROBE 0.1 X+5 Y+5 Z-10 M8").as_deref(), Some("M8"));
+        assert_eq!(stray(b"TCH PROBE 1.1 X+5 F200"), None);
         let probe = Probe::read(b"tch probe 0.0 REF. PLANE Q5 X-");
-        assert_eq!(probe, Probe { number: 0, goes_on: false, parameters: vec![q(5)], given: vec![] });
+        assert_eq!(probe, Probe { number: 0, goes_on: false, parameters: vec![q(5)], given: vec![], stray: None });
         assert!(Probe::read(b"TCH PROBE 481 TOOL LENGTH ~\n Q340=+1").measures_tools());
         assert!(Probe::read(b"TCH PROBE 421 ~\n Q330=5").measures_tools());
         assert!(Probe::read(b"TCH PROBE 403 ~").turns());
