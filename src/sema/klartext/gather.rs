@@ -156,7 +156,9 @@ impl Reading<'_, '_> {
                     self.check_m_value(number, word, block, w)?;
                     args.given |= self.number_if(word.value, word.span)?.is_some();
                 }
-                Addr::DeltaLength if number == 197 => args.value = Some(self.number(word.value, word.span)?),
+                Addr::DeltaLength if number == 197 && args.value.is_none() => {
+                    args.value = Some(self.number(word.value, word.span)?)
+                }
                 Addr::Name if takes.named || takes.retract => {
                     let name = self.core.word_text(word.span);
                     match words.get(at + 1) {
@@ -164,8 +166,8 @@ impl Reading<'_, '_> {
                             args.max = true;
                             args.given = true;
                         }
-                        Some(_) if number == 197 || number == 120 && !name.eq_ignore_ascii_case("LA") => {
-                            let wanted = if number == 120 { "LA5" } else { "DL0.5" };
+                        Some(_) if !m_table::takes_name(number, &name) => {
+                            let wanted = m_table::usual_words(number);
                             return self
                                 .core
                                 .refuse(word.span, codes::K2707::does_not_belong_to_m(&name, &number, &wanted));

@@ -142,6 +142,26 @@ pub(super) fn takes(number: u32) -> Takes {
     }
 }
 
+/// Does a name with a value belong to the function?
+pub(super) fn takes_name(number: u32, name: &str) -> bool {
+    let known: &[&str] = match number {
+        112 | 124 => &["T"],
+        120 => &["LA"],
+        140 => return true,
+        _ => &[],
+    };
+    known.iter().any(|known| known.eq_ignore_ascii_case(name))
+}
+
+/// How the words of the function are written.
+pub(super) fn usual_words(number: u32) -> &'static str {
+    match number {
+        112 | 124 => "T0.01",
+        120 => "LA5",
+        _ => "DL0.5",
+    }
+}
+
 /// Two functions of one block that contradict each other.
 pub(super) fn conflict(a: u32, b: u32) -> bool {
     let group = |n: u32| match n {
