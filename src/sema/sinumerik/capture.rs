@@ -78,9 +78,9 @@ impl Capture {
         if let Some((word, span)) = side.map(|(code, span)| (code.word(), span)).or(offset).or(limit) {
             return self.refuse(core, span, |name| codes::S2091::stands_in_contour_which_is_shape(&word, &name));
         }
-        let feeds = [Address::F, Address::Frc, Address::Frcm];
+        let feeds = [Address::F, Address::Fb, Address::Frc, Address::Frcm];
         if let Some((word, given)) =
-            feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
+            feeds.iter().zip(["F", "FB", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
             && core.job.diags.first_time(codes::P8103, (word, &self.name))
         {
             let found = codes::P8103::in_contour_does_not_count(&word, &self.name).at(core.loc(given.span));
