@@ -2,13 +2,14 @@
 
 use core::f64::consts::TAU;
 
-use crate::geo::{Plane, Point2};
+use crate::geo::{Plane, Point2, rotation};
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path, Place, Sink};
 use crate::ir::tap::Stroke;
-use crate::ir::{Function, Origin, Pos, Side, Tap};
+use crate::ir::tilt::Solution;
+use crate::ir::{Function, Origin, Pos, Side, Tap, Tilt, Tilting};
 use crate::machine::{Axis, AxisSet};
-use crate::read::{self, AXES, Act, Reader, Rules};
+use crate::read::{self, AXES, Act, Angles, Choice, Reader, Rules};
 use crate::sema::gcode::function::{self, plane, real};
 use crate::text::Loc;
 
@@ -110,6 +111,11 @@ impl Player<'_> {
                 let number = self.selected.ok_or("a change to a tool that no T has chosen")?;
                 self.does(Function::ToolChange { number });
             }
+            Act::Tilt(tilting) => {
+                if let Some(tilting) = self.tilting(tilting) {
+                    self.does(Function::Tilt(Box::new(tilting)));
+                }
+            }
             Act::Speed(_) | Act::M { .. } | Act::Dwell(_) | Act::Corners(_) | Act::Offset(_) => {
                 if let Some(function) = function::function(&act)? {
                     self.does(function);
@@ -117,6 +123,27 @@ impl Player<'_> {
             }
         }
         Ok(())
+    }
+
+    /// A tilted plane; a shift alone is a part of the plane that comes.
+    fn tilting(&self, tilting: read::Tilting) -> Option<Tilting> {
+        let read = self.reader.tilt();
+        let solution = match read.choice {
+            Choice::Unsaid | Choice::Primary(None) => Solution::Control,
+            Choice::Primary(Some(positive)) => Solution::Primary { positive },
+            Choice::Reference(greater) => Solution::Reference { greater },
+        };
+        let angles = read.angles.map(real);
+        let axes = match read.about {
+            Angles::Euler => rotation::euler(angles),
+            Angles::Spatial => rotation::spatial(angles),
+        };
+        Some(match tilting {
+            read::Tilting::Shifted => return None,
+            read::Tilting::Into => Tilting::Into(Tilt { axes, origin: read.origin.map(real).into(), solution }),
+            read::Tilting::Back => Tilting::Back(solution),
+            read::Tilting::Off => Tilting::Off,
+        })
     }
 
     /// A stroke, or one of its two ways.

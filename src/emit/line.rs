@@ -169,6 +169,13 @@ impl Text {
         self
     }
 
+    /// Appends a number behind a mark, without a blank in front.
+    pub fn joined(&mut self, mark: u8, units: i64, places: Places) -> &mut Text {
+        self.too_long |= units.unsigned_abs() >= self.many && self.is_too_long(units, places);
+        self.end += places.write(false, mark, units, self.room());
+        self
+    }
+
     /// Appends a word that ends with what gives its number, such as `D` or `LIMS=`, and the number.
     pub fn valued(&mut self, word: &str, units: i64, places: Places) -> &mut Text {
         if let Some((last, first)) = word.as_bytes().split_last() {

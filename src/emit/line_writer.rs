@@ -127,6 +127,14 @@ impl<'a> LineWriter<'a> {
         }
     }
 
+    /// Ends a line that calls a cycle of the control: it may be longer than that of a path.
+    pub fn end_call(&mut self, origin: &Origin) {
+        if self.text.take_too_long() {
+            self.too_many_digits(origin);
+        }
+        self.count_line(origin);
+    }
+
     /// From here on text stays until [`LineWriter::release`].
     pub fn hold(&mut self) {
         self.read = Some(0);

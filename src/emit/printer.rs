@@ -27,6 +27,7 @@ use crate::ir::function::{CutterData, Turn};
 use crate::ir::motion::{Move, Path, Place, Sink};
 use crate::ir::{Function, Origin, Pos, Side, Tap};
 use crate::machine::axis::AXES;
+use crate::machine::settings::Machine;
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::target::{CompensationWords, Form, Target};
 use crate::text::Loc;
@@ -77,6 +78,8 @@ pub struct Printer<'a> {
     running: Running,
     /// What the target was told of its spindle.
     stated: SpindleStated,
+    machine: &'a Machine,
+    tilting: tilt::State,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -103,6 +106,8 @@ struct ToolLength {
     tool: u32,
     /// The next such move states it.
     waits: bool,
+    /// One was stated by such a move, and not ended since.
+    counts: bool,
     /// The largest speed under constant cutting speed was stated.
     limited: bool,
 }
@@ -166,6 +171,8 @@ impl<'a> Printer<'a> {
             doubted: false,
             running: Running::default(),
             stated: SpindleStated::default(),
+            machine: &settings.machine,
+            tilting: tilt::State::default(),
         };
         // G96 outlives the program that programmed it: the first speed of a lathe says G97.
         printer.modal.cutting_speed = lathe;
@@ -229,6 +236,10 @@ impl<'a> Printer<'a> {
     fn print_move(&mut self, mv: &Move, origin: &Origin) {
         if self.corners.in_doubt() {
             self.tell_of_corners(origin);
+        }
+        if self.tilting.is_left() && !mv.machine {
+            self.lacks_plane(origin);
+            return self.pretend(mv);
         }
         if !self.compensation.is_idle(mv.side) && !self.compensate(mv, origin) {
             return;
@@ -465,7 +476,9 @@ impl Sink for Printer<'_> {
     }
 
     fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
-        if !self.lines.full() {
+        if self.tilting.is_left() {
+            self.lacks_plane(origin);
+        } else if !self.lines.full() {
             self.print_tap(tap, place, origin);
         }
     }

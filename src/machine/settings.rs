@@ -156,6 +156,10 @@ pub struct Machine {
     pub swivel_retract: BTreeMap<Axis, f64>,
     /// The same of its retraction as far as possible along the tool.
     pub swivel_retract_most: BTreeMap<Axis, f64>,
+    /// Rotary axes that tilt the working plane.
+    pub tilt_axes: AxisSet,
+    /// Name of the swivel record that CYCLE800 is printed with; empty for the only one, `None` where nothing is said.
+    pub swivel_record: Option<String>,
 }
 
 /// `[machine] after_tool_change`: what the control shows for the new tool behind a change.
@@ -192,6 +196,8 @@ impl Default for Machine {
             rotary_axis: Axis::C,
             swivel_retract: BTreeMap::new(),
             swivel_retract_most: BTreeMap::new(),
+            tilt_axes: AxisSet::EMPTY,
+            swivel_record: None,
         }
     }
 }
@@ -361,6 +367,9 @@ impl Default for OutputSettings {
     }
 }
 
+/// A ten-thousandth of a degree is a thousandth of a mm at half a metre.
+const TILT_PLACES: u8 = 4;
+
 impl OutputSettings {
     /// Places behind the point of a quantity: those of its own key, of the target, of lengths.
     pub fn places(&self, quantity: Quantity) -> u8 {
@@ -380,6 +389,11 @@ impl OutputSettings {
             Quantity::Time if self.dwell_unit() == Some(DwellUnit::Milliseconds) => 3,
             Quantity::Time => self.decimals.time.or(numbers.time).unwrap_or(lengths),
         }
+    }
+
+    /// Places of the angles of a tilted plane: at least four, unless the configuration says how many.
+    pub fn tilt_places(&self) -> u8 {
+        self.decimals.angle.unwrap_or_else(|| self.places(Quantity::Angle).max(TILT_PLACES))
     }
 
     /// What a printed feed of one is, in mm a minute.

@@ -27,6 +27,21 @@ pub enum Act {
     Corners(PathControl),
     /// Another work offset, 1 (G54) to 9 (G59.3), and on.
     Offset(u8),
+    /// Something happens to the working plane; how it lies, the reader says.
+    Tilt(Tilting),
+}
+
+/// What happens to the working plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tilting {
+    /// The zero point is shifted, or is so no more.
+    Shifted,
+    /// It is tilted, and the rotary axes turn.
+    Into,
+    /// It is tilted no more, and they turn back.
+    Back,
+    /// It is tilted no more; they stay.
+    Off,
 }
 
 /// How corners are taken; lengths are above zero.

@@ -46,6 +46,8 @@ pub(super) struct Block {
     /// G43, or G49.
     pub length: Option<bool>,
     pub offset: Option<u8>,
+    /// A word of a tilted plane.
+    pub tilt: Option<TiltWord>,
     /// This letter has the number of the work offset, counted on from so many.
     pub offset_by_number: Option<(u8, u8)>,
     /// Where a cycle returns to.
@@ -59,6 +61,17 @@ pub(super) struct Block {
     m_count: usize,
     /// Groups of G functions that were met, a bit each: two of one group contradict each other.
     groups: u32,
+}
+
+/// What a word says of a tilted plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum TiltWord {
+    /// G68.2: how it lies.
+    Stated,
+    /// G53.1: the axes turn.
+    Turns,
+    /// G69
+    Off,
 }
 
 /// What a word says of corners.
@@ -215,6 +228,12 @@ impl Block {
         (self.letters != 0).then(|| if bit == SPINDLE { '$' } else { (b'A' + bit) as char })
     }
 
+    /// The line has no function but one.
+    pub fn is_single(&self) -> bool {
+        let others = self.speed_limit || self.offset_by_number.is_some() || self.diameter.is_some();
+        self.groups.is_power_of_two() && self.m_count == 0 && !others
+    }
+
     /// The M functions in the order of the line.
     pub fn m(&self) -> impl Iterator<Item = u32> + use<> {
         self.m.into_iter().take(self.m_count)
@@ -239,6 +258,11 @@ impl Block {
                 return Ok(());
             }
             G::Offset(_) | G::OffsetByNumber(..) => return Err(Fault::new("two work offsets")),
+            G::Tilt(word) => {
+                let fine = self.groups == 0 && self.m_count == 0 && self.tilt.replace(word).is_none();
+                self.groups |= 1 << TILTS;
+                return if fine { Ok(()) } else { Err(Fault::new("a tilted plane in one line with something else")) };
+            }
             G::SpeedLimit => {
                 self.speed_limit = true;
                 return Ok(());
@@ -410,6 +434,8 @@ fn edge(orientation: u32) -> Option<[i8; 2]> {
 
 /// The group of work offsets.
 const OFFSETS: u8 = 8;
+/// That of tilted planes.
+const TILTS: u8 = 15;
 
 /// Groups of M functions of which a line has one, as LinuxCNC counts them.
 fn m_group(number: u32) -> Option<u8> {

@@ -47,14 +47,16 @@ enum Open {
     Tap(usize),
     /// The call of a tap.
     Call,
+    /// A shift, of which so many axes are said.
+    Shift(usize),
 }
 
 /// The words of a block that are still to be read.
-struct Words<'a>(&'a [u8]);
+pub(super) struct Words<'a>(&'a [u8]);
 
 impl<'a> Words<'a> {
     #[inline]
-    fn next(&mut self) -> Option<&'a [u8]> {
+    pub fn next(&mut self) -> Option<&'a [u8]> {
         let text = self.0.trim_ascii_start();
         let len = text.iter().position(|b| *b == b' ').unwrap_or(text.len());
         let (word, rest) = text.split_at(len);
@@ -67,7 +69,7 @@ impl<'a> Words<'a> {
     }
 
     /// The rest is these words.
-    fn are(&mut self, wanted: &str) -> bool {
+    pub fn are(&mut self, wanted: &str) -> bool {
         wanted.split(' ').all(|word| self.is(word)) && self.next().is_none()
     }
 }
@@ -164,7 +166,7 @@ impl Reader {
         match self.dialog.open {
             Open::Preset => return self.preset(line),
             Open::Tap(left) => return self.tap_parameter(line, left),
-            Open::Nothing | Open::Dwell | Open::Tolerance | Open::Call => {}
+            Open::Nothing | Open::Dwell | Open::Tolerance | Open::Call | Open::Shift(_) => {}
         }
         let digits = line.iter().take_while(|b| b.is_ascii_digit()).count();
         let number = line[..digits].iter().fold(0u64, |n, b| n.wrapping_mul(10).wrapping_add(u64::from(b - b'0')));
@@ -195,6 +197,9 @@ impl Reader {
         if self.dialog.open == Open::Tolerance {
             return self.tolerance(word, &mut words);
         }
+        if let Open::Shift(axis) = self.dialog.open {
+            return self.shifts(axis, word, &mut words);
+        }
         if self.dialog.stopped && word != b"END" {
             return Err(Fault::new("something stands after the end of the program"));
         }
@@ -210,6 +215,7 @@ impl Reader {
             }
             b"TOOL" => self.tool_block(&mut words),
             b"CYCL" => self.cycle(&mut words),
+            b"PLANE" => self.plane_block(&mut words),
             b"STOP" if words.next().is_none() => self.dialog_m(0),
             [b'M', number @ ..] if words.next().is_none() => match (whole(number, word)?, number) {
                 (0, _) => Err(Fault::new("M0 stops the spindle and the coolant, too")),
@@ -394,6 +400,7 @@ impl Reader {
     fn cycle(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
         let def = words.is("DEF");
         self.dialog.open = match words.next() {
+            Some(b"7.0") if def && words.are("DATUM SHIFT") => Open::Shift(0),
             Some(b"9.0") if def && words.are("DWELL TIME") => Open::Dwell,
             Some(b"32.0") if def && words.are("TOLERANCE") => Open::Tolerance,
             Some(b"247") if def && words.are("DATUM SETTING ~") => Open::Preset,
@@ -463,6 +470,30 @@ impl Reader {
         self.push_tap(tap)
     }
 
+    /// CYCL DEF 7.1 to 7.3: the zero point of one axis after the other.
+    fn shifts(&mut self, axis: usize, word: &[u8], words: &mut Words<'_>) -> Result<(), Fault> {
+        const LINES: [(&str, u8); 3] = [("7.1", b'X'), ("7.2", b'Y'), ("7.3", b'Z')];
+        let (line, letter) = LINES[axis];
+        let begins = word == b"CYCL" && words.is("DEF") && words.is(line);
+        let number = words.next().and_then(|word| word.strip_prefix(&[letter])).unwrap_or_default();
+        let units = whole(number, number)?;
+        if !begins || words.next().is_some() {
+            return Err(Fault::new("the next axis of a shift is meant"));
+        }
+        self.modes.shift[axis] = self.length(units)?;
+        self.dialog.open = if axis + 1 < LINES.len() { Open::Shift(axis + 1) } else { Open::Nothing };
+        if self.dialog.open != Open::Nothing {
+            return Ok(());
+        }
+        self.dialog.center = None;
+        self.plane_shifts()
+    }
+
+    /// The centre of arcs is not known any more.
+    pub(super) fn dialog_forgets(&mut self) {
+        self.dialog.center = None;
+    }
+
     fn waits(&mut self, word: &[u8], words: &mut Words<'_>) -> Result<(), Fault> {
         self.dialog.open = Open::Nothing;
         let begins = word == b"CYCL" && words.is("DEF") && words.is("9.1") && words.is("DWELL");
@@ -518,7 +549,7 @@ fn turned(from: [i64; 2], center: [i64; 2], angle: i64) -> Result<[i64; 2], Faul
 
 /// A number that fills its word.
 #[inline]
-fn whole(number: &[u8], word: &[u8]) -> Result<i64, Fault> {
+pub(super) fn whole(number: &[u8], word: &[u8]) -> Result<i64, Fault> {
     match decimal(number) {
         Some((units, len)) if len == number.len() => Ok(units),
         _ => Err(unknown(word)),

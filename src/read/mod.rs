@@ -15,11 +15,13 @@ mod rules;
 mod run;
 mod straight;
 mod tap;
+mod tilt;
 
-pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, PathControl, Plane, Speed, Tap, Way};
+pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, PathControl, Plane, Speed, Tap, Tilting, Way};
 pub use number::SCALE;
 pub use rules::Rules;
 pub use straight::Straight;
+pub use tilt::{Angles, Choice, Tilt};
 
 use act::Turning;
 use block::Block;
@@ -85,6 +87,10 @@ pub struct Modes {
     pub offset: u8,
     /// How corners are taken.
     pub corners: Option<PathControl>,
+    /// Positions count in a tilted plane.
+    pub tilted: bool,
+    /// Where the zero point is shifted to.
+    pub shift: [i64; 3],
     /// The move that axis words mean by themselves: 0 to 3, 33, and those of taps.
     motion: Option<u8>,
 }
@@ -125,6 +131,12 @@ pub struct Reader {
     spindle: Turning,
     /// The last tap.
     tap: Tap,
+    /// The last tilted plane.
+    tilt: Tilt,
+    /// It is stated, and the rotary axes did not turn yet.
+    turns: bool,
+    /// Name of the last swivel record.
+    record: Vec<u8>,
     acts: [Act; ACTS],
     /// The acts of the last line that are still to be handed out: from, up to.
     open: (usize, usize),
@@ -163,6 +175,8 @@ impl Reader {
                 length: fixed.no_length.then_some(0),
                 offset: 1,
                 corners: None,
+                tilted: false,
+                shift: [0; 3],
                 motion: None,
             },
             plain: false,
@@ -174,6 +188,9 @@ impl Reader {
             tools: [None; 2],
             spindle: Turning::default(),
             tap: Tap::default(),
+            tilt: Tilt::default(),
+            turns: false,
+            record: Vec::new(),
             acts: [Act::Change; ACTS],
             open: (0, 0),
         }
@@ -262,11 +279,16 @@ impl Reader {
             let named = |b: &u8| b.is_ascii_digit() || letters && b.is_ascii_uppercase();
             return if line[1..].iter().all(named) { Ok(()) } else { Err(Fault::new("no program number")) };
         }
-        let block = Block::read(line, &self.rules)?;
-        if self.ended && !block.is_empty() {
+        let call = self.rules.swivel(line);
+        let block = if call.is_some() { Block::default() } else { Block::read(line, &self.rules)? };
+        if self.ended && (call.is_some() || !block.is_empty()) {
             return Err(Fault::new("something stands after the end of the program"));
         }
-        self.run(block)
+        match call {
+            Some(arguments) => self.swivels(arguments),
+            None if block.tilt.is_some() => self.tilts(block),
+            None => self.run(block),
+        }
     }
 
     /// A line of a `%` alone: the first one opens the program, the second one ends it, as on a tape (RS274/NGC 3.1; LinuxCNC
@@ -323,6 +345,16 @@ impl Reader {
     /// The tap of the act that was handed out last.
     pub fn tap(&self) -> &Tap {
         &self.tap
+    }
+
+    /// The tilted plane of the act that was handed out last.
+    pub fn tilt(&self) -> &Tilt {
+        &self.tilt
+    }
+
+    /// The swivel record that was named last.
+    pub fn record(&self) -> &[u8] {
+        &self.record
     }
 
     /// The speed of the tap after which nothing was said of the spindle.

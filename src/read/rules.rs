@@ -1,5 +1,6 @@
 //! What differs between the receivers: which words they know, and what those mean.
 
+use super::block::TiltWord;
 use super::number::SCALE;
 
 /// How a receiver reads.
@@ -27,6 +28,8 @@ pub struct Rules {
     pub taps: Taps,
     /// Words say how corners are taken.
     pub corners: bool,
+    /// G68.2, G53.1 and G69 say how the working plane is tilted, in one block with P0 or without it.
+    pub tilts: Option<bool>,
     /// Rapid traverse goes at the last F, so that each such move has to have this one; negative where nobody said which.
     pub rapid_feed: Option<i64>,
 }
@@ -81,6 +84,7 @@ pub(super) const RS274: Rules = Rules {
     length_moves: false,
     taps: Taps::No,
     corners: true,
+    tilts: None,
     rapid_feed: None,
 };
 
@@ -99,6 +103,7 @@ const FANUC: Rules = Rules {
     length_moves: true,
     taps: Taps::Announced,
     corners: true,
+    tilts: None,
     rapid_feed: None,
 };
 
@@ -125,9 +130,9 @@ impl Rules {
     /// Those of a receiver by its name.
     pub fn of(target: &str) -> Rules {
         match target {
-            "fanuc" => FANUC,
+            "fanuc" => Rules { tilts: Some(false), ..FANUC },
             "haas" => Rules { taps: Taps::Plain, ..FANUC },
-            "mazak" => Rules { taps: Taps::ByPitch, ..FANUC },
+            "mazak" => Rules { taps: Taps::ByPitch, tilts: Some(true), ..FANUC },
             "centroid" => Rules { dwell: (b'P', 1), taps: Taps::No, corners: false, ..FANUC },
             "grbl" | "grblhal" => Rules { corners: false, ..RS274 },
             "fanuc-lathe" => LATHE,
@@ -188,6 +193,14 @@ impl Rules {
         );
         if !self.corners && matches!(tenths, 600 | 610 | 611 | 640 | 6410 | 6420) {
             return None;
+        }
+        if self.tilts.is_some() {
+            match tenths {
+                682 => return Some(G::Tilt(TiltWord::Stated)),
+                531 => return Some(G::Tilt(TiltWord::Turns)),
+                690 => return Some(G::Tilt(TiltWord::Off)),
+                _ => {}
+            }
         }
         match self.words {
             // Other receivers have other words for these.
@@ -285,6 +298,8 @@ pub(super) enum G {
     Offset(u8),
     /// This letter has the number of a work offset, counted on from so many.
     OffsetByNumber(u8, u8),
+    /// Says something of a tilted plane.
+    Tilt(TiltWord),
 }
 
 /// Modes that no word states.

@@ -285,6 +285,9 @@ impl Reader {
         {
             return self.circle(block, circle == 3);
         }
+        if named && self.turns {
+            return Err(Fault::new("a move while the plane is stated and the axes did not turn yet"));
+        }
         if !named {
             return match block.motion {
                 motion if is_tap(motion) => Err(Fault::new("a tap without a depth")),

@@ -35,7 +35,8 @@ impl Reader {
             | Act::M { .. }
             | Act::Dwell(_)
             | Act::Corners(_)
-            | Act::Offset(_) => {}
+            | Act::Offset(_)
+            | Act::Tilt(_) => {}
         }
     }
 

@@ -99,5 +99,6 @@ pub(super) const BASE: Target = Target {
     offsets_confirmed: true,
     compensation: None,
     path: PathWords::NONE,
+    tilt: None,
     m: MFunctions { address: b'M', own: &[], open: true, listed: false },
 };

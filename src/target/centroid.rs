@@ -19,5 +19,6 @@ pub(super) const TARGET: Target = Target {
     dwell: Dwell { unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
     // Not confirmed.
     path: PathWords::NONE,
+    tilt: None,
     ..FANUC
 };

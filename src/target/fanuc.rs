@@ -4,9 +4,9 @@
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber,
+    Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, EulerWords, FeedWords, Frame, Length, LengthNumber,
     LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, PathWords, ProgramName, RigidTap, SpindleWords,
-    TapCycle, TapPitch, Target, ToolWords, base::BASE,
+    TapCycle, TapPitch, Target, TiltWords, ToolWords, base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
@@ -77,6 +77,8 @@ pub(super) const TARGET: Target = Target {
     // G64 is the cutting mode, in which corners are passed as acceleration has it. Stops in every corner would change what a
     // program does today.
     path: PathWords { exact: Some("G61"), unbounded: Some("G64"), starts_unbounded: true, ..PathWords::NONE },
+    // An option of the 30i.
+    tilt: Some(TiltWords::Euler(&EULER)),
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };
@@ -99,6 +101,10 @@ pub(super) const TAP: TapCycle = TapCycle {
     meets: "rigid tapping stays on between them, and the control has to keep the angle meanwhile or to begin each at the mark \
             of the spindle (parameter 5202)",
 };
+
+/// A tilted plane; which angles follow need not be said.
+pub(super) const EULER: EulerWords =
+    EulerWords { on: "G68.2", mode: None, angles: *b"IJK", turn: "G53.1", off: "G69" };
 
 /// M functions that the control knows by itself, and what they do there.
 pub(super) const OWN: &[(u32, &str)] = &[

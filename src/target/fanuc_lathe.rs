@@ -52,6 +52,7 @@ pub(super) const A: Target = Target {
     more_offsets: None,
     // That of the nose of a tool is not confirmed.
     compensation: None,
+    tilt: None,
     ..FANUC
 };
 

@@ -25,5 +25,7 @@ pub(super) const TARGET: Target = Target {
     // How the largest speed is said on a mill is not confirmed.
     more_offsets: Some(MoreOffsets { word: "G154 P", less: 6, most: 105 }),
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
+    // Its words are others, and what their angles count from is not confirmed.
+    tilt: None,
     ..FANUC
 };

@@ -7,7 +7,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Change, Comments, Dialog, Dwell, FeedWords, Flow, Form, Frame, HelixWords, Length, Line, MFunctions, Motion,
-    Numbers, PathBound, PathWords, ProgramName, RigidTap, Sequence, TapDialog, Target, ToolWords, base::BASE,
+    Numbers, PathBound, PathWords, PlaneWords, ProgramName, RigidTap, Sequence, TapDialog, Target, TiltWords, ToolWords,
+    base::BASE,
 };
 
 // What F counts where a rotary axis goes along is not confirmed, and what M136 counts differs by generation: neither is said.
@@ -94,6 +95,7 @@ pub(super) const TARGET: Target = Target {
     offsets: &["Q339=+1", "Q339=+2", "Q339=+3", "Q339=+4", "Q339=+5", "Q339=+6", "Q339=+7", "Q339=+8", "Q339=+9"],
     // M134 stops at rotary axes alone, and what a cycle 32 without T rounds by is a setting.
     path: PathWords { within: Some(PathBound { word: "CYCL DEF 32.1", length: "T" }), ..PathWords::NONE },
+    tilt: Some(TiltWords::Dialog(&PLANE)),
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };
@@ -115,6 +117,18 @@ const TAP: TapDialog = TapDialog {
     ],
     of_plain: 5,
     places: 4,
+};
+
+const PLANE: PlaneWords = PlaneWords {
+    shift: "CYCL DEF 7.0 DATUM SHIFT",
+    shift_axes: ["CYCL DEF 7.1 X", "CYCL DEF 7.2 Y", "CYCL DEF 7.3 Z"],
+    on: "PLANE SPATIAL",
+    angles: ["SPA", "SPB", "SPC"],
+    turn: "TURN FMAX",
+    primary: ["SEQ+", "SEQ-"],
+    free: "COORD ROT",
+    off: "PLANE RESET STAY",
+    back: "PLANE RESET TURN FMAX",
 };
 
 const OWN: &[(u32, &str)] = &[

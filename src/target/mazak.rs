@@ -1,7 +1,7 @@
 //! Mazak mills in EIA/ISO: Fanuc without percent signs around the program. A preview: what published post processors write.
 
-use super::fanuc::{TAP, TARGET as FANUC};
-use super::{Frame, Motion, RigidTap, SpindleWords, TapCycle, TapPitch, Target};
+use super::fanuc::{EULER, TAP, TARGET as FANUC};
+use super::{EulerWords, Frame, Motion, RigidTap, SpindleWords, TapCycle, TapPitch, Target, TiltWords};
 
 /// As [`FANUC`] but for its tapping cycles.
 pub(super) const TARGET: Target = Target {
@@ -22,6 +22,7 @@ pub(super) const TARGET: Target = Target {
         ..FANUC.motion
     },
     more_offsets: None,
+    tilt: Some(TiltWords::Euler(&EulerWords { mode: Some("P0"), ..EULER })),
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
     ..FANUC
 };

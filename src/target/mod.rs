@@ -21,12 +21,14 @@ mod okuma;
 mod printers;
 mod siemens;
 mod tap_words;
+mod tilt_words;
 mod words;
 
 pub use dialog_words::*;
 pub use function_words::*;
 pub use move_words::*;
 pub use tap_words::*;
+pub use tilt_words::*;
 pub use words::*;
 
 /// All targets; the first one is the default.

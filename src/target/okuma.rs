@@ -45,5 +45,6 @@ pub(super) const TARGET: Target = Target {
     m: MFunctions { own: &[], ..FANUC.m },
     // Not confirmed.
     path: PathWords::NONE,
+    tilt: None,
     ..FANUC
 };

@@ -6,7 +6,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CoolantWords, Dwell, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    MFunctions, MoreOffsets, Motion, PathBound, PathWords, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns,
+    MFunctions, MoreOffsets, Motion, PathBound, PathWords, RigidTap, SpindleWords, SwivelWords, Target, Thread, TiltWords, ToolWords,
+    Turns,
     base::BASE,
 };
 
@@ -84,8 +85,20 @@ pub(super) const TARGET: Target = Target {
         under_compensation: true,
         exact_on_lathes: true,
     },
+    tilt: Some(TiltWords::Swivel(&SWIVEL)),
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
+};
+
+// It retracts nothing by itself, is no addition to another plane, and counts in G17.
+const SWIVEL: SwivelWords = SwivelWords {
+    begin: "CYCLE800(0,\"",
+    into: "\",0,27",
+    back: "\",0,57,0,0,0,0,0,0",
+    between: b',',
+    direction: ",0,0,0",
+    end: ",0,1)",
+    off: "CYCLE800()",
 };
 
 const OWN: &[(u32, &str)] = &[

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use super::dialog_words::Dialog;
 use super::function_words::{CoolantWords, Dwell, Flow, MFunctions, SpindleWords, ToolWords};
 use super::move_words::{Arcs, CompensationWords, FeedWords, Lead, Motion, PathWords, Thread};
+use super::tilt_words::TiltWords;
 
 /// A receiver of plain G-code.
 #[derive(Debug)]
@@ -58,6 +59,8 @@ pub struct Target {
     pub compensation: Option<CompensationWords>,
     /// How corners are taken.
     pub path: PathWords,
+    /// Tilted working planes.
+    pub tilt: Option<TiltWords>,
     /// M functions, those of spindle, coolant and stops among them.
     pub m: MFunctions,
 }

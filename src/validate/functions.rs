@@ -108,6 +108,7 @@ impl Validator {
         } else {
             *acts == [Act::Select(number), Act::Change]
         };
+        self.tilts.tool = number;
         if self.length_with_move {
             self.length = (number != 0).then_some(number);
             return changed && (number != 0 || self.reader.modes().length == Some(0));

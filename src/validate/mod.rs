@@ -127,6 +127,7 @@ pub struct Validator {
     length_with_move: bool,
     /// The tool whose length the next move along Z has to state.
     length: Option<u32>,
+    tilts: tilt::Expected,
     by_hand: bool,
     /// What stands around a comment.
     brackets: (&'static str, &'static str),
@@ -177,6 +178,7 @@ impl Validator {
             tool_length: output.prints_tool_length(),
             length_with_move: output.tool_length_waits(),
             length: None,
+            tilts: tilt::Expected::of(&settings.machine),
             brackets: (output.target.comments.open, output.target.comments.close),
             by_hand: output.tool_change == ToolChange::Stop,
             with_start: output.target.spindle.speed_with_start,

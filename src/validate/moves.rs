@@ -17,6 +17,9 @@ impl Validator {
         if self.in_full {
             self.before = *self.reader.at();
         }
+        if !mv.machine {
+            self.is_in_plane()?;
+        }
         if matches!(mv.path, Path::Arc(..) | Path::Thread { .. } | Path::Carried { .. }) {
             return self.check_other(mv, text);
         }
@@ -58,7 +61,11 @@ impl Validator {
     #[inline(never)]
     fn check_by_words(&mut self, mv: &Move, text: Text<'_>) -> Result<(), Why> {
         let Text { bytes: mut rest, mut end } = text;
-        let Some(act) = self.reader.next(&mut rest, &mut end)? else { return self.stays(mv) };
+        let Some(mut act) = self.reader.next(&mut rest, &mut end)? else { return self.stays(mv) };
+        if act == Act::Tilt(read::Tilting::Off) {
+            self.leaves_plane(mv.machine)?;
+            act = self.reader.next(&mut rest, &mut end)?.ok_or_else(|| Why::new("a move is meant"))?;
+        }
         let Act::Move(found) = act else { return Err(Why::new("a move is meant")) };
         match (found.path, mv.path) {
             (read::Path::Rapid, Path::Rapid) => {}

@@ -61,7 +61,13 @@ impl Validator {
                 Act::Speed(_) | Act::M { number: 29, .. } => {}
                 Act::M { number: 19, spindle: 0, angle } if !begun => found.angle = angle,
                 Act::M { number, spindle: 0, .. } if !begun && number == m_of(tap.turn) => {}
-                Act::Move(_) | Act::M { .. } | Act::Select(_) | Act::Change | Act::Corners(_) | Act::Offset(_) => {
+                Act::Move(_)
+                | Act::M { .. }
+                | Act::Select(_)
+                | Act::Change
+                | Act::Corners(_)
+                | Act::Offset(_)
+                | Act::Tilt(_) => {
                     return Err(Why::new("something happens in a tap that is not meant"));
                 }
             }

@@ -79,6 +79,38 @@ whether the part lies where it should." {
         help "look in the air whether the part lies where it should";
 }
 
+O2003 Warning "tilt-solution" "the target may take the other position of the rotary axes"
+"Most tilted planes are reached by two positions of the rotary axes. The program says which of them it wants (SEQ of PLANE, `_DIR` of CYCLE800), or leaves it to its control. Some \
+targets choose by themselves and have no word for it, others count by another axis. The part is the same, the room is not: the table may turn the other way round, and an axis may come to its \
+limit. Each kind is told once. Run the program in the air, and look which way the axes turn." {
+    target_chooses_by_itself(target, word)
+        "the program says by {word} which position the rotary axes take; the target {target} chooses by itself"
+        help "look in the air which way they turn: the part is the same, the room is not";
+    target_counts_by_another_axis(target, word, own)
+        "the program says by {word} which position the rotary axes take; the target {target} counts by another axis \
+        ({own})"
+        help "look in the air which way they turn: the part is the same, the room is not";
+    program_leaves_it_to_its_control(target, own)
+        "the program leaves to its control which position the rotary axes take; the target {target} has to be told, and \
+        gets {own}"
+        help "look in the air which way they turn: the part is the same, the room is not";
+}
+
+O2004 Warning "tilt-option" "tilted planes are an option of the target"
+"The words for a tilted working plane (G68.2 and G53.1) are an option that not every control of this kind has. Without it the control stops at the first one with an alarm. Where the machine \
+has the option, nothing is to be done. Told once, at the first plane." {
+    plane_is_an_option(target, word) "{word} is an option of the target {target}"
+        help "look whether the machine has it: otherwise its control stops at this block";
+}
+
+O2005 Warning "swivel-record" "the name of the swivel record is not known"
+"CYCLE800 takes the name of a swivel record: the data of the rotary axes that swivel. The program does not say how it is called at the machine that gets the output, and an empty name stands for the only record \
+there. With several of them the control raises an alarm, or swivels by another one. Say its name, or that there is only one." {
+    empty_name_of_swivel_record()
+        "CYCLE800 is printed with an empty name, which stands for the only swivel record of the machine"
+        asks "say its name: `[machine] swivel_record = \"TC1\"`, or `\"\"` where there is only one";
+}
+
 O4001 Note "arc-as-lines" "arc is printed as straight lines"
 "The arc is so small or so flat that its printed numbers cannot describe a circle within the tolerance of the target: \
 after rounding, start and end lie at different distances from every possible centre. It is printed as lines that leave the arc \

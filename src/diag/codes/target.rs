@@ -436,6 +436,25 @@ lie, and how long the tool is. The targets fanuc, mazak, sinumerik and heidenhai
         asks "print for a target that has one: `--target fanuc`, `mazak`, `sinumerik` or `heidenhain`";
 }
 
+O9343 Error "tilted-plane-in-other-words" "the target cannot say what happens to this tilted plane"
+"The selected target has words for a tilted working plane, but none for what the program does there, or they cannot be printed exactly enough. Angles are printed with four places at least, unless \
+`[output] decimals` says fewer. Rotary axes turn back by their letters where the target has no word for it, and those are data of the machine. A move in machine coordinates ends the plane where it is not confirmed that the target takes \
+both at once: the plane has to be programmed anew after it. What the target lacks is in the message." {
+    angles_print_as_another_plane(places)
+        "the angles of this plane, printed with {places} places, make another plane"
+        asks "print more places of angles: `[output] decimals.angle`";
+    letters_of_rotary_axes_are_not_known(target)
+        "the target {target} turns rotary axes back by their letters, which are not known"
+        asks "say which axes tilt the plane: `[machine] tilt_axes = [\"A\", \"C\"]`";
+    move_goes_on_in_plane(target, word)
+        "this move goes on in a tilted plane after a move in machine coordinates, before which the target {target} \
+        ended it ({word})"
+        help "program the plane anew before it";
+    work_offset_is_selected_in_plane(target)
+        "the target {target} has no word for another work offset in a tilted plane"
+        help "end the plane before it";
+}
+
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line before it; under G93, \
 where F is the time of its own block, it cannot. Print fewer places with `[output] decimals`, or move fewer axes in one block." {

@@ -168,7 +168,7 @@ impl Printer<'_> {
             }
             Length::WithTool => {}
             Length::Words(words) if number == 0 => {
-                self.length = ToolLength { tool: 0, waits: false, ..self.length };
+                self.length = ToolLength { tool: 0, waits: false, counts: false, ..self.length };
                 match words.off {
                     Some(off) => self.lines.words(off, origin),
                     None => self.deny(origin, codes::O9307::target_has_no_word_for_tool_0(&self.target.name)),
@@ -287,6 +287,10 @@ impl Printer<'_> {
     }
 
     fn work_offset(&mut self, number: u8, origin: &Origin) {
+        if self.offset_is_tilted() {
+            let fault = codes::O9343::work_offset_is_selected_in_plane(&self.target.name);
+            return self.deny(origin, fault);
+        }
         if !self.target.offsets_confirmed && !std::mem::replace(&mut self.doubted, true) {
             self.say(origin, codes::O2002::work_offsets_of_target_are_not_confirmed(&self.target.name));
         }

@@ -27,6 +27,9 @@ impl Printer<'_> {
             self.pretend(mv);
             return false;
         }
+        if mv.machine {
+            self.leave_plane(origin);
+        }
         if let (true, Length::Words(words)) = (mv.machine && self.length.tool > 0, self.target.tool.length)
             && self.target.motion.machine_drops_length
             && let Some(off) = words.off
@@ -88,7 +91,7 @@ impl Printer<'_> {
         if mv.machine || !changed.contains(Axis::Z) {
             return None;
         }
-        self.length.waits = false;
+        (self.length.waits, self.length.counts) = (false, true);
         self.lines.text.word(on);
         Some((address, self.length.tool))
     }

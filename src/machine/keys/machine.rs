@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::key::{Key, Kind, key};
-use crate::machine::axis::Axis;
+use crate::machine::axis::{Axis, AxisSet};
 use crate::machine::settings::{MachineKind, Settings};
 use crate::machine::tree::{ConfigError, Node, Value};
 use crate::machine::values::{
@@ -61,6 +61,20 @@ pub const KEYS: &[Key] = &[
     key("swivel_retract_most", Kind::Free, "the same as far as possible along the tool (`_FR` 4): Z = 0.0", |s, v| {
         coordinates(&mut s.machine.swivel_retract_most, v)
     }),
+    key(
+        "tilt_axes",
+        Kind::Texts,
+        "rotary axes that tilt the working plane; fanuc and mazak turn them back by G0: [\"A\", \"C\"]",
+        |s, v| put(&mut s.machine.tilt_axes, tilt_axes(v)?),
+    )
+    .or("[]"),
+    key(
+        "swivel_record",
+        Kind::Text,
+        "sinumerik: name of the swivel record in the CYCLE800 that is printed; empty for the only one",
+        |s, v| put(&mut s.machine.swivel_record, Some(swivel_record(v)?)),
+    )
+    .or_warn(r#""""#),
     key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0", |s, v| {
         coordinates(&mut s.machine.fixed_point[0], v)
     }),
@@ -89,6 +103,27 @@ pub const KEYS: &[Key] = &[
 fn rotary_axis(node: &Node) -> Result<Axis, ConfigError> {
     let axis = axis(text(node), node)?;
     if axis.is_rotary() { Ok(axis) } else { Err(node.fail("the axis that turns the workpiece is A, B or C")) }
+}
+
+fn tilt_axes(node: &Node) -> Result<AxisSet, ConfigError> {
+    let Value::List(items) = &node.value else { return Err(node.fail("needs a list of axes")) };
+    let mut axes = AxisSet::EMPTY;
+    for item in items {
+        let axis = axis(text(item), item)?;
+        if !axis.is_rotary() {
+            return Err(item.fail("the axes that tilt the working plane are A, B and C"));
+        }
+        axes.insert(axis);
+    }
+    Ok(axes)
+}
+
+/// It stands between quotes in the output.
+fn swivel_record(node: &Node) -> Result<String, ConfigError> {
+    const LONGEST: usize = 32;
+    let name = text(node);
+    let fine = name.len() <= LONGEST && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
+    if fine { Ok(name.to_owned()) } else { Err(node.fail("the name of a swivel record is letters, digits, `_` and `-`")) }
 }
 
 fn diameter_axis(settings: &mut Settings, node: &Node) -> Result<(), ConfigError> {

@@ -22,6 +22,7 @@ pub fn function(act: &Act) -> Result<Option<Function>, &'static str> {
         Act::Dwell(seconds) => Function::Dwell(real(seconds)),
         Act::Corners(mode) => Function::PathControl(Some(path_control(mode))),
         Act::Offset(number) => Function::WorkOffset(number),
+        Act::Tilt(_) => return Err("a tilted working plane"),
     }))
 }
 

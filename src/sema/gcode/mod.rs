@@ -422,7 +422,7 @@ impl Run<'_> {
             Act::M { number: 3..=5 | 19, spindle: 0, .. } | Act::Tap => self.turns_on = None,
             // A wait says nothing of the spindle: what follows it does.
             Act::Speed(_) | Act::Corners(_) | Act::Dwell(_) => {}
-            Act::Move(_) | Act::Select(_) | Act::Change | Act::M { .. } | Act::Offset(_) => {
+            Act::Move(_) | Act::Select(_) | Act::Change | Act::M { .. } | Act::Offset(_) | Act::Tilt(_) => {
                 self.turns_on = None;
                 self.does(&Function::Spindle(Spindle::Start(turn)));
             }
