@@ -8,8 +8,8 @@ use crate::ir::{Feed, Pos};
 
 /// How far a chord leaves its arc at most, mm.
 pub const TOLERANCE: f64 = 0.005;
-/// Chords of one arc. Of one with more turns whole ones are left out, for they lie on the others as good as: whoever looks at
-/// the path cannot tell them, and a run ends.
+/// Chords of one arc, so that a run ends. Of an arc with more whole turns are left out; the others lie on the circle, and the
+/// ends are its own.
 const MOST: f64 = 65_536.0;
 
 /// Gives the lines of an arc that begins at `start`. The ends of the arc are exact.

@@ -26,10 +26,14 @@ pub(super) struct Tilted {
 impl Tilted {
     /// `None` where the plane is that of the workpiece.
     pub fn new(tilt: &Tilt) -> Option<Tilted> {
+        let is_own = |tilt: &Tilt| tilt.axes == Matrix3::identity() && tilt.origin.iter().all(|v| *v == 0.0);
+        let tilted = Tilted::of_any(tilt);
+        (!is_own(&tilted.tilt)).then_some(tilted)
+    }
+
+    pub(super) fn of_any(tilt: &Tilt) -> Tilted {
         let axes = tilt.axes.map(|v| if (v - v.round()).abs() <= SQUARE { v.round() } else { v });
-        let tilt = Tilt { axes, ..*tilt };
-        let is_own = axes == Matrix3::identity() && tilt.origin.iter().all(|v| *v == 0.0);
-        (!is_own).then_some(Tilted { tilt, at: Pos::UNKNOWN, told: AxisSet::EMPTY })
+        Tilted { tilt: Tilt { axes, ..*tilt }, at: Pos::UNKNOWN, told: AxisSet::EMPTY }
     }
 
     /// Nobody knows where the tool is.
