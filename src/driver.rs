@@ -14,6 +14,7 @@ use crate::emit::stats::{Counter, Model, Stats};
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
 use crate::ir::refused::Remarks;
+use crate::ir::workpiece::InWorkpiece;
 use crate::ir::{Function, Origin, Pos, Tap, contour, motion, verify};
 use crate::lint::Checks;
 use crate::lint::fingerprint::MotionFingerprint;
@@ -149,7 +150,7 @@ impl Session {
         Some(Finding::new(&found, &self.sources, &self.trail, |_| Vec::new()))
     }
 
-    /// Runs the program and gives its moves to `out`.
+    /// Runs the program and gives its moves to `out`, those of a tilted plane as it counts them.
     pub fn lower(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) {
         self.judge(dialect, settings);
         self.run(dialect, settings, files, out);
@@ -188,7 +189,7 @@ impl Session {
         Ok(counter.finish())
     }
 
-    /// Compiles, and shows each item to `beside` once it is printed.
+    /// Compiles, and shows each item to `beside` once it is printed, in workpiece coordinates.
     pub(crate) fn compile_beside<'a>(
         &'a self,
         dialect: &Dialect,
@@ -206,7 +207,10 @@ impl Session {
         let map = map.map(|map| -> &mut dyn LineMap { map });
         let mut printer = Printer::new(settings, &name, &self.diags, out, map);
         let run = |printer: &mut dyn motion::Sink| match beside {
-            Some(beside) => self.run_shown(dialect, settings, files, &mut Beside { printer, beside }),
+            Some(beside) => {
+                let beside = InWorkpiece::new(beside);
+                self.run_shown(dialect, settings, files, &mut Beside { printer, beside })
+            }
             None => self.run(dialect, settings, files, printer),
         };
         if !settings.output.validate {
@@ -325,7 +329,7 @@ impl Session {
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
         let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), options);
-        self.run_shown(dialect, settings, files, &mut plot);
+        self.run_shown(dialect, settings, files, &mut InWorkpiece::new(&mut plot));
         if let Some(error) = self.first_error() {
             plot.incomplete(self.stop(&error));
         }
@@ -343,7 +347,7 @@ impl Session {
     pub fn stats(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, model: Model) -> Stats {
         self.judge(dialect, settings);
         let mut counter = Counter::new(model);
-        self.run(dialect, settings, files, &mut counter);
+        self.run(dialect, settings, files, &mut InWorkpiece::new(&mut counter));
         counter.finish()
     }
 
@@ -361,7 +365,7 @@ impl Session {
     ) -> io::Result<()> {
         self.judge(dialect, settings);
         let mut trace = Trace::new(&self.sources, &self.trail, model, out);
-        self.run_shown(dialect, settings, files, &mut trace);
+        self.run_shown(dialect, settings, files, &mut InWorkpiece::new(&mut trace));
         trace.finish(self.first_error().as_ref())
     }
 
@@ -382,10 +386,10 @@ impl Session {
     }
 }
 
-/// A printer, and somebody who sees each item once it is printed.
+/// A printer, and somebody who sees each item in workpiece coordinates once it is printed.
 struct Beside<'a> {
     printer: &'a mut dyn motion::Sink,
-    beside: &'a mut dyn motion::Sink,
+    beside: InWorkpiece<'a, dyn motion::Sink + 'a>,
 }
 
 impl motion::Sink for Beside<'_> {

@@ -12,6 +12,7 @@ use crate::driver::Session;
 use crate::emit::is_printed;
 use crate::emit::plot::{Options, Plot};
 use crate::ir::motion::Sink;
+use crate::ir::workpiece::InWorkpiece;
 use crate::machine::Settings;
 use crate::text::decode::{escaped_json, harmless_lines};
 
@@ -178,7 +179,7 @@ fn draw(args: &Diff, picture: &Path) -> Result<(), Trouble> {
     for path in [&args.a, &args.b] {
         drawn.program(&file_name(path));
         let program = Program::load(path, &args.common)?;
-        program.play(path, &mut drawn)?;
+        program.play(path, &mut InWorkpiece::new(&mut drawn))?;
         if let Program::Part(part) = &program {
             part.files.unchanged()?;
         }

@@ -27,6 +27,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 
 use crate::emit::stats::{Clock, Ended, Model, Time};
 use crate::ir::motion::Sink;
+use crate::ir::workpiece::InWorkpiece;
 
 use buffer_pool::BufferPool;
 use chunk::{Chunk, Item, Row};
@@ -67,7 +68,7 @@ pub enum Until {
 /// Gets each batch, maybe in another thread, and says whether it wants more.
 pub type Take<'a> = dyn FnMut(RecordBatch) -> bool + Send + 'a;
 
-/// Makes batches of the moves that `run` sends, and gives what it returns. An error ends them: the moves behind it are in none,
+/// Makes batches of the moves that `run` sends, in workpiece coordinates, and gives what it returns. An error ends them: the moves behind it are in none,
 /// and a batch that was not full is not made.
 pub(crate) fn batches<T>(
     known: Known<'_>,
@@ -78,7 +79,7 @@ pub(crate) fn batches<T>(
     let columns = Mutex::new(Columns::new(options, take));
     let (ran, is_right) = thread::scope(|scope| {
         let mut front = Front::new(known, options.until, scope, &columns);
-        let ran = run(&mut front);
+        let ran = run(&mut InWorkpiece::new(&mut front));
         (ran, front.finish())
     });
     if is_right {

@@ -45,6 +45,7 @@ pub(super) struct Rows {
     line: Values<i64>,
     block: Texts,
     call_path: Words,
+    tool_axis: [Held<f64>; 3],
 }
 
 impl Rows {
@@ -74,6 +75,7 @@ impl Rows {
             line: Values::new(),
             block: Texts::default(),
             call_path: Words::new(&[]),
+            tool_axis: std::array::from_fn(|_| Held::new()),
         }
     }
 
@@ -93,6 +95,7 @@ impl Rows {
         self.places(mv, from);
         self.path(&mv.path, length);
         self.spindle_and_tool();
+        self.tool_axis(mv.machine);
         let side = match mv.side {
             Side::None => None,
             Side::Left => Some(0),
@@ -185,6 +188,13 @@ impl Rows {
         self.tool.put(row, self.program.tool.map(i64::from));
     }
 
+    fn tool_axis(&mut self, machine: bool) {
+        let direction = self.program.axis.direction(machine);
+        for (i, column) in self.tool_axis.iter_mut().enumerate() {
+            column.put(self.row, direction.map(|direction| direction[i]));
+        }
+    }
+
     /// The columns in order, without the time; the next batch begins.
     pub fn finish(&mut self) -> Vec<ArrayRef> {
         let rows = std::mem::take(&mut self.row);
@@ -212,6 +222,7 @@ impl Rows {
             self.block.finish(),
             self.call_path.finish(rows),
         ]);
+        all.extend(self.tool_axis.iter_mut().map(|values| values.finish(rows)));
         all
     }
 }

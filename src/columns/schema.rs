@@ -50,6 +50,7 @@ const fn column(
 
 const UNKNOWN: &str = "not known";
 const NO_ARC: &str = "no arc";
+const NO_DIRECTION: &str = "in machine coordinates after a plane from which nothing turned back";
 const NO_CENTER: &str = "no arc, or not in its plane";
 
 /// All columns, in order.
@@ -119,6 +120,15 @@ pub const COLUMNS: &[Column] = &[
         "calls that lead there, the outermost first: `MAIN.H:12 > SUB.H:3`",
         "a block of the main program",
     ),
+    column(
+        "tx",
+        Kind::Number,
+        "",
+        "X of the direction of the tool, Z of a tilted plane; 0, 0, 1 without one",
+        NO_DIRECTION,
+    ),
+    column("ty", Kind::Number, "", "its Y", NO_DIRECTION),
+    column("tz", Kind::Number, "", "its Z", NO_DIRECTION),
 ];
 
 /// The schema of every batch. Its metadata hold [`VERSION`]; those of a field its unit.

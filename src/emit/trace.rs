@@ -13,7 +13,7 @@ use crate::machine::axis::Axis;
 use crate::text::decode::escaped_json;
 use crate::text::{BlockNumbers, Sources};
 
-use super::spindle_and_tool::{Sense, Speed, SpindleAndTool};
+use super::spindle_and_tool::{Sense, Speed, SpindleAndTool, ToolAxis};
 use super::stats::{Clock, Ended, Model, Time};
 
 /// Writes moves to `out`.
@@ -119,6 +119,10 @@ impl<'a> Trace<'a> {
         }
         say("tool", json!(self.program.tool));
         spindle(&self.program, &mut say);
+        if self.program.axis != ToolAxis::Upright {
+            let direction = self.program.axis.direction(mv.machine);
+            say("tool_axis", json!(direction.map(|axis| axis.map(rounded))));
+        }
         say("file", json!(self.sources.name(origin.loc.file)));
         say("line", json!(origin.loc.line));
         if let Some(block) = self.numbers.of(self.sources, origin.loc) {

@@ -19,6 +19,7 @@ pub mod tilt;
 pub mod transformation;
 pub mod undercut;
 pub mod verify;
+pub mod workpiece;
 
 use crate::diag::CallPath;
 use crate::text::Loc;

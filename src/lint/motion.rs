@@ -14,7 +14,7 @@ use crate::ir::cycle::drilling::Method;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::motion::{self, Move, Path};
 use crate::ir::tap::Part;
-use crate::ir::{Feed, Function, Origin, Pos, Side, Tap};
+use crate::ir::{Feed, Function, Origin, Pos, Side, Tap, Tilt};
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::text::Sources;
 
@@ -107,9 +107,12 @@ pub struct Machine {
     /// Side of the compensation as programmed.
     pub side: Side,
     pub plane: Plane,
+    /// The tilted plane in which positions count.
+    pub tilt: Option<Box<Tilt>>,
 }
 
-/// A move with where it comes from.
+/// A move with where it comes from. In a tilted plane it counts in that: up, down and sideways are as the tool sees them, and a
+/// number is the one of the program. What asks for the part takes [`Step::place`].
 #[derive(Debug)]
 pub struct Step<'s> {
     pub mv: &'s Move,
@@ -122,13 +125,16 @@ pub struct Step<'s> {
     /// The cycle taps with a compensating chuck.
     pub of_tap: bool,
     sideways: bool,
+    tilt: Option<&'s Tilt>,
 }
 
 impl<'s> Step<'s> {
-    fn new(mv: &'s Move, from: &'s Pos, origin: &'s Origin) -> Step<'s> {
+    fn new(mv: &'s Move, machine: &'s Machine, origin: &'s Origin) -> Step<'s> {
+        let from = &machine.at;
+        let tilt = machine.tilt.as_deref();
         let mut to = *from;
         to.update(&mv.end);
-        let mut step = Step { mv, from, to, origin, of_cycle: false, of_tap: false, sideways: false };
+        let mut step = Step { mv, from, to, origin, of_cycle: false, of_tap: false, sideways: false, tilt };
         let (first, second, _) = mv.plane.axes();
         let moves = |axis: usize| step.way(Axis::ALL[axis]).is_none_or(|way| way.abs() > TINY);
         let moves = [first, second].into_iter().any(|axis| mv.axes.contains(Axis::ALL[axis]) && moves(axis));
@@ -160,6 +166,16 @@ impl Step<'_> {
         Some(self.to.get(axis)? - self.from.get(axis)?)
     }
 
+    /// One of the ends in workpiece coordinates.
+    pub fn place(&self, at: &Pos) -> Pos {
+        self.tilt.map_or(*at, |tilt| tilt.in_workpiece(at))
+    }
+
+    /// Is the working plane a tilted one?
+    pub fn is_tilted(&self) -> bool {
+        self.tilt.is_some()
+    }
+
     /// The tool axis of the working plane.
     pub fn tool_axis(&self) -> Axis {
         tool_axis(self.mv.plane)
@@ -171,10 +187,10 @@ impl Step<'_> {
     }
 
     /// Does it go straight away from the part, along the tool axis? Behind a change nobody knows where it begins; a height
-    /// above the blank is enough then.
+    /// above the blank is enough then, in the workpiece.
     pub fn retracts(&self, blank: Option<Blank>) -> bool {
         let axis = self.tool_axis();
-        let above = |blank: Blank| self.to.get(axis).is_some_and(|to| to > blank.max[axis.index()]);
+        let above = |blank: Blank| self.place(&self.to).get(axis).is_some_and(|to| to > blank.max[axis.index()]);
         let up = self.rise().map_or_else(|| blank.is_some_and(above), |rise| rise > TINY);
         self.is_line() && up && !self.goes_sideways()
     }
@@ -283,7 +299,7 @@ impl<'a> Watch<'a> {
     }
 
     fn movement(&mut self, mv: &Move, origin: &Origin) {
-        let mut step = Step::new(mv, &self.machine.at, origin);
+        let mut step = Step::new(mv, &self.machine, origin);
         step.of_cycle = self.cycle.is_some_and(|cycle| cycle == *origin);
         step.of_tap = self.rigid || step.of_cycle && self.taps;
         let to = step.to;
@@ -300,6 +316,10 @@ impl<'a> Watch<'a> {
         self.machine.at = to;
         if mv.machine {
             mv.axes.iter().for_each(|axis| self.machine.at.forget(axis));
+            // An axis of the machine moves several of a tilted plane.
+            if self.machine.tilt.is_some() {
+                self.machine.at.clear();
+            }
         }
     }
 
@@ -338,6 +358,10 @@ impl<'a> Watch<'a> {
             },
             Function::Coolant(coolant) => machine.coolant = *coolant != Coolant::Off,
             Function::WorkOffset(_) => machine.at.clear(),
+            Function::Tilt(tilting) => {
+                machine.at.clear();
+                machine.tilt = tilting.plane().map(|tilt| Box::new(*tilt));
+            }
             Function::Plane(plane) => machine.plane = *plane,
             _ => {}
         }

@@ -30,7 +30,7 @@ impl Turned {
 
     /// A cut takes away what it passes.
     pub fn cut(&mut self, step: &Step<'_>) {
-        let (from, to) = (place(step.from), place(&step.to));
+        let (from, to) = (place(&step.place(step.from)), place(&step.place(&step.to)));
         // An end that is not known may be anywhere.
         let (Some(from), Some(to)) = (from, to) else {
             self.reached.fill(0.0);
@@ -48,7 +48,7 @@ impl Turned {
 
     /// Radius and Z of the end of a move that lies in material that no cut has come near.
     pub fn inside(&self, step: &Step<'_>) -> Option<(f64, f64)> {
-        let (x, z) = place(&step.to)?;
+        let (x, z) = place(&step.place(&step.to))?;
         let (radius, bar) = (x.abs(), &self.bar);
         let within = z > bar.left + MARGIN && z < bar.right - MARGIN;
         let material = radius < bar.radius - MARGIN && radius > bar.bore + MARGIN;

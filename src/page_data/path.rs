@@ -209,7 +209,7 @@ impl<'a> Recorder<'a> {
                 self.path.tools.push(Some(*number));
             }
             self.tool = u16::try_from(place).unwrap_or(u16::MAX);
-        } else if let Function::WorkOffset(_) = function {
+        } else if let Function::WorkOffset(_) | Function::Tilt(_) = function {
             self.at.clear();
         } else if let Function::Remark(remark) = function {
             match remark {

@@ -113,11 +113,20 @@ fn expected(line: &Value) -> Map<String, Value> {
                     say("call_path", &json!(calls.join(" > ")));
                 }
             }
+            "tool_axis" => {
+                let axis = value.as_array().into_iter().flatten();
+                ["tx", "ty", "tz"].into_iter().zip(axis).for_each(|(name, value)| say(name, value));
+            }
             "tool" if value.is_null() => {}
             _ => say(key, value),
         }
     }
     row.entry("machine").or_insert(json!(false));
+    if line.get("tool_axis").is_none() {
+        for (name, value) in [("tx", 0.0), ("ty", 0.0), ("tz", 1.0)] {
+            row.insert(name.to_owned(), json!(value));
+        }
+    }
     row
 }
 
@@ -268,7 +277,7 @@ fn values_between_commas() {
     assert_eq!(
         lines[2],
         "line,0,0,10,,,,,,,3,0.3,10,,,,,,,,,,,,,,200,per_minute,2000,speed,,cw,3,,false,3.014962686336267,0.9061554725675467,\
-         \"LATE, \"\"B\"\".H\",4,3,"
+         \"LATE, \"\"B\"\".H\",4,3,,0,0,1"
     );
     assert!(lines[39].contains(",B.H,2,1,\"LATE, \"\"B\"\".H:41\""), "{}", lines[39]);
 }

@@ -184,3 +184,50 @@ fn findings_may_be_wanted_without_moves() {
         assert!(rows.len() <= 100 && errors.len() <= 1);
     }
 }
+
+/// 30 degrees about X: rows tell places of the workpiece, and where the tool points.
+#[test]
+fn rows_of_a_tilted_plane_tell_the_workpiece() {
+    use crate::geo::rotation::spatial;
+    use crate::ir::motion::Move;
+    use crate::ir::tilt::{Solution, Tilt, Tilting};
+    use crate::ir::{Function, Origin, Pos};
+    use crate::machine::axis::AxisSet;
+
+    let text = Box::new(crate::text::Memory::new(b"1 L X+1\n".to_vec()));
+    let name = "A.H".to_owned();
+    let session = crate::driver::Session::new(crate::text::Opened { identity: name.clone(), name, text });
+    let known = Known { sources: &session.sources, trail: &session.trail, diags: &session.diags };
+    let mut all = Vec::new();
+    let mut take = |batch| {
+        all.push(batch);
+        true
+    };
+    batches_of(known, &mut take, &|sink| {
+        let origin = Origin::default();
+        let plane =
+            Tilt { axes: spatial([30.0, 0.0, 0.0]), origin: [0.0, 0.0, 5.0].into(), solution: Solution::Control };
+        sink.function(&Function::Tilt(Box::new(Tilting::Into(plane))), &origin);
+        let end = Pos::of_main([1.0, 2.0, 0.0], AxisSet::MAIN);
+        sink.movement(&Move { end, axes: AxisSet::MAIN, ..Move::default() }, &origin);
+        sink.function(&Function::Tilt(Box::new(Tilting::Off)), &origin);
+        let mut top = Pos::UNKNOWN;
+        top.set(crate::machine::Axis::Z, 0.0);
+        sink.movement(&Move { end: top, axes: top.known(), machine: true, ..Move::default() }, &origin);
+        sink.movement(&Move { end, axes: AxisSet::MAIN, ..Move::default() }, &origin);
+    });
+    let of = |name: &str| {
+        let place = COLUMNS.iter().position(|column| column.name == name).unwrap();
+        let values = all[0].column(place).as_primitive::<Float64Type>().clone();
+        values.iter().map(|value| value.map(|value| (value * 1000.0).round())).collect::<Vec<_>>()
+    };
+    // 2 cos 30 along Y, 2 sin 30 along Z from 5 on.
+    assert_eq!([of("x")[0], of("y")[0], of("z")[0]], [Some(1000.0), Some(1732.0), Some(6000.0)]);
+    assert_eq!(of("tx"), [Some(0.0), None, Some(0.0)]);
+    assert_eq!(of("ty"), [Some(-500.0), None, Some(0.0)]);
+    assert_eq!(of("tz"), [Some(866.0), None, Some(1000.0)]);
+}
+
+fn batches_of(known: Known<'_>, take: &mut Take<'_>, run: &dyn Fn(&mut dyn Sink)) {
+    super::batches(known, Options::default(), take, |sink| run(sink));
+}

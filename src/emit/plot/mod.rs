@@ -449,7 +449,7 @@ impl Sink for Plot {
                     self.tools.len() - 1
                 }
             };
-        } else if let Function::WorkOffset(_) = function {
+        } else if let Function::WorkOffset(_) | Function::Tilt(_) = function {
             self.lift();
             self.at.clear();
         } else if let Function::Remark(remark) = function {

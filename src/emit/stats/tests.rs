@@ -225,3 +225,24 @@ fn a_way_that_goes_nowhere_is_a_move_of_no_time() {
     let unknown = counted(AT_ONCE, &from[..2], &[], &[to(&[(Axis::Z, 1.0)], Path::Rapid)]);
     assert_eq!((unknown.unknown_moves, unknown.total().moves), (1, 0));
 }
+
+/// A plane that stands upright in front of the part: its Y lies along Z, its Z along -Y.
+#[test]
+fn extents_of_a_tilted_plane_are_those_of_the_workpiece() {
+    use crate::geo::rotation::spatial;
+    use crate::ir::Tilting;
+    use crate::ir::tilt::{Solution, Tilt};
+    use crate::ir::workpiece::InWorkpiece;
+
+    let plane = Tilt { axes: spatial([90.0, 0.0, 0.0]), origin: [0.0, 20.0, 0.0].into(), solution: Solution::Control };
+    let mut counter = Counter::new(AT_ONCE);
+    let mut seen = InWorkpiece::new(&mut counter);
+    seen.function(&Function::Tilt(Box::new(Tilting::Into(plane))), &Origin::default());
+    for y in [10.0, 40.0] {
+        let end = [(Axis::X, 1.0), (Axis::Y, y), (Axis::Z, -3.0)];
+        seen.movement(&to(&end, line(Feed::PerMinute(600.0))), &Origin::default());
+    }
+    let stats = counter.finish();
+    let extents: Vec<(Axis, (f64, f64))> = stats.extents.into_iter().collect();
+    assert_eq!(extents, [(Axis::X, (1.0, 1.0)), (Axis::Y, (23.0, 23.0)), (Axis::Z, (10.0, 40.0))]);
+}

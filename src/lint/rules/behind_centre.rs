@@ -49,7 +49,8 @@ impl BehindCentre {
 
 impl MotionRule for BehindCentre {
     fn movement(&mut self, step: &Step<'_>, _: &Machine, say: Say<'_>) {
-        let turning = self.lathe && step.mv.plane == Plane::Zx && step.cuts() && !self.said;
+        // X of a tilted plane is no radius: what is turned is turned without one.
+        let turning = self.lathe && step.mv.plane == Plane::Zx && step.cuts() && !self.said && !step.is_tilted();
         if let Some(x) = step.to.get(Axis::X).filter(|x| turning && *x < -MOST_BEHIND) {
             self.said = true;
             say.about(L1026::behind(&-x), step.origin);

@@ -50,9 +50,11 @@ impl MotionRule for BlankUntouched {
     fn movement(&mut self, step: &Step<'_>, _: &Machine, _: Say<'_>) {
         let Some(blank) = self.blank.filter(|_| step.cuts() && !self.reached) else { return };
         self.first.get_or_insert(*step.origin);
+        // Where the blank is asked for, workpiece coordinates count.
+        let (from, to) = (step.place(step.from), step.place(&step.to));
         // The tool has a radius: as much room around.
         self.reached = Axis::ALL[..3].iter().all(|axis| {
-            let (a, b) = (step.from.get(*axis), step.to.get(*axis));
+            let (a, b) = (from.get(*axis), to.get(*axis));
             let (Some(a), Some(b)) = (a.or(b), b.or(a)) else { return true };
             let (min, max) = (blank.min[axis.index()] - ROOM, blank.max[axis.index()] + ROOM);
             a.min(b) <= max && a.max(b) >= min

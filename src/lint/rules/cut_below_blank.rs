@@ -50,7 +50,8 @@ impl MotionRule for CutBelowBlank {
         let Some(blank) = self.blank.filter(|_| step.cuts() && !self.said) else { return };
         let axis = step.tool_axis();
         let bottom = blank.min[axis.index()];
-        if let Some(depth) = step.to.get(axis).filter(|depth| *depth < bottom - MOST_BELOW) {
+        // The vice and the table lie below the blank, from wherever the tool comes: in workpiece coordinates.
+        if let Some(depth) = step.place(&step.to).get(axis).filter(|depth| *depth < bottom - MOST_BELOW) {
             self.said = true;
             say.about(L1007::below(&axis.letter(), &depth, &bottom), step.origin);
         }

@@ -51,14 +51,17 @@ impl MotionRule for CutBesideBlank {
 
     fn movement(&mut self, step: &Step<'_>, _: &Machine, say: Say<'_>) {
         let Some(blank) = self.blank.filter(|_| step.cuts() && !self.said) else { return };
+        // The sides are those of the blank. A tool that stands aslant is lifted beside them.
+        let (to, tilted) = (step.place(&step.to), step.is_tilted());
         let outside = |axis: &&Axis| {
-            let (at, index) = (step.to.get(**axis), axis.index());
-            let moves = step.mv.axes.contains(**axis) && **axis != step.tool_axis();
+            let (at, index) = (to.get(**axis), axis.index());
+            let along = step.mv.axes.contains(**axis) && **axis != step.tool_axis();
+            let moves = if tilted { step.goes_sideways() } else { along };
             moves && at.is_some_and(|at| at < blank.min[index] - ROOM || at > blank.max[index] + ROOM)
         };
         if let Some(axis) = Axis::ALL[..3].iter().find(outside) {
             self.said = true;
-            let at = step.to.get(*axis).unwrap_or_default();
+            let at = to.get(*axis).unwrap_or_default();
             let (min, max) = (blank.min[axis.index()], blank.max[axis.index()]);
             say.about(L1037::beside(&axis.letter(), &at, &min, &max), step.origin);
         }

@@ -59,7 +59,10 @@ impl MotionRule for DrillSideways<'_> {
     }
 
     fn function(&mut self, function: &Function, _: &Machine, _: &Origin, _: Say<'_>) {
-        if let Function::ToolChange { number } = function {
+        if let Function::Tilt(_) = function {
+            // Heights count along the tool: those of another plane say nothing.
+            self.above = None;
+        } else if let Function::ToolChange { number } = function {
             let tool = self.tools.and_then(|tools| tools.by_printed(*number));
             let kind = tool.and_then(|tool| tool.kind.as_deref());
             *self = DrillSideways {

@@ -46,6 +46,7 @@ impl MotionRule for FarCoordinates {
         if !step.to.exceeds(FARTHEST) {
             return;
         }
+        // A slip of the pen is in a number of the program: that of a tilted plane, where one is on.
         for axis in step.mv.axes.iter().filter(|axis| !axis.is_rotary()) {
             let Some(value) = step.mv.end.get(axis).filter(|value| value.abs() > FARTHEST) else { continue };
             if !self.limited.contains(axis) && !self.said.contains(axis) {

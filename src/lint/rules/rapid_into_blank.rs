@@ -55,14 +55,16 @@ impl MotionRule for RapidIntoBlank {
         }
         let Some(blank) = self.blank else { return };
         let axis = step.tool_axis();
-        let Some(depth) = step.to.get(axis) else { return };
+        // Depths are those of the blank also in a tilted plane: what was cut from there is cut for all.
+        let to = step.place(&step.to);
+        let Some(depth) = to.get(axis) else { return };
         if step.cuts() {
             self.deepest = Some(self.deepest.map_or(depth, |deepest| deepest.min(depth)));
             return;
         }
         let inside = Axis::ALL[..3].iter().all(|axis| {
             let margin = 0.01;
-            step.to.get(*axis).is_some_and(|value| {
+            to.get(*axis).is_some_and(|value| {
                 value > blank.min[axis.index()] + margin && value < blank.max[axis.index()] - margin
             })
         });

@@ -110,7 +110,7 @@ impl MotionRule for ThreadCrossed<'_> {
     }
 
     fn function(&mut self, function: &Function, _: &Machine, _: &Origin, _: Say<'_>) {
-        if matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_)) {
+        if matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Tilt(_)) {
             self.last = None;
         }
     }
