@@ -101,7 +101,7 @@ labels! {
     CallMoves "what is called here moves the axis, as `[programs]` says";
     ProbeMoves "a probe moves the axis here, and what it does is left out";
     CurveTableLeftOut "a curve table names the axis here, and is left out";
-    PlaneTilts "the working plane tilts here";
+    PlaneTurns "the working plane turns here";
     MachineCoordinate "the axis goes to a machine coordinate here";
 
     // Beside a corner and under compensation.

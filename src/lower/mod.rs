@@ -202,7 +202,9 @@ impl<'a> Lower<'a> {
         step.mv.end = mv.end;
         // Every programmed coordinate that depends on the axes that moved is unknown now.
         let mut workpiece = self.ctx.frame.apply(&self.at);
-        for axis in mv.end.known().iter() {
+        let tilted = self.machine_axes.tilted && !mv.end.known().common(AxisSet::MAIN).is_empty();
+        let beside = if tilted { AxisSet::MAIN } else { AxisSet::EMPTY };
+        for axis in mv.end.known().union(beside).iter() {
             workpiece.forget(axis);
         }
         self.at = self.ctx.frame.unapply(&workpiece);
@@ -275,8 +277,11 @@ impl<'a> Lower<'a> {
             self.claimed = AxisSet::EMPTY;
             // A tool of another length.
             let (_, _, third) = self.ctx.plane.axes();
-            self.at.forget(Axis::ALL[third]);
-            self.start.forget(Axis::ALL[third]);
+            let axes = if self.machine_axes.tilted { AxisSet::MAIN } else { AxisSet::of(Axis::ALL[third]) };
+            for axis in axes.iter() {
+                self.at.forget(axis);
+                self.start.forget(axis);
+            }
             self.last.forget();
         }
     }

@@ -361,7 +361,7 @@ impl Sink for Recorder {
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        if matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_)) {
+        if matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Tilt(_)) {
             self.at = [None; AXES];
         }
         match function {
@@ -394,7 +394,7 @@ impl Sink for Recorder {
             Function::PathControl(said) => {
                 self.corners = self.output.path_control(*said, self.lathe).map(corners).or(self.corners);
             }
-            Function::Plane(_) | Function::Comment(_) | Function::Remark(_) => {}
+            Function::Tilt(_) | Function::Plane(_) | Function::Comment(_) | Function::Remark(_) => {}
         }
     }
 

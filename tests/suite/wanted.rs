@@ -89,7 +89,9 @@ enum Item {
     /// A working plane by its space angles and its zero point.
     Plane([f64; 6]),
     /// The plane ends, and the rotary axes turn back or stay.
-    PlaneEnds { turns: bool },
+    PlaneEnds {
+        turns: bool,
+    },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -207,6 +207,10 @@ target; SUPD does the opposite. With `tool_length = \"G43\"` the length of the t
     control_goes_to_this_machine_coordinate(axis)
         "the control goes to this machine coordinate of {axis} with the tip of the tool (MD 10760 = 0), the target \
         with its spindle: the length of the tool is not known";
+    tool_does_not_stand_along_axis(axis)
+        "the control goes to this machine coordinate of {axis} with the tip of the tool (MD 10760 = 0), the target \
+        with its spindle, and the tool stands in a tilted plane"
+        asks "write D0 in the block, or set `[control] md10760 = true`";
     length_of_tool_is_not_known(called) "the length of tool {called} is not known"
         asks "add `[tools.{called}]` with `length = …` to partc.toml, or a TOOL DEF block";
     no_tool_is_called_so_it_has_no_value(q)
@@ -530,5 +534,21 @@ meant." {
     program_ends_with_path_compensation() "the program ends with path compensation on"
         help "program G40 with a straight move before the end";
     program_ends_with_radius_compensation_2() "the program ends with radius compensation on";
+}
+
+P2042 Error "tool-askew" "tool does not stand along its axis"
+"The tilted plane was switched off, and the rotary axes stay where it put them: the tool stands askew to the workpiece, and where the coordinates of the program lead it \
+depends on the machine. Retract in machine coordinates and turn the rotary axes back: by the function that tilted the plane, or by their own words, each axis that the program \
+moves to 0." {
+    plane_is_off_and_rotary_axes_stay(line)
+        "the tilted plane was switched off in line {line}, and the rotary axes still stand as in it"
+        help "turn them back before this block: to an upright plane by the function that tilted it, or by their own words to 0";
+}
+
+P2043 Error "rotary-axis-in-plane" "rotary axis moves while the plane is tilted"
+"Under a tilted plane the control has placed the rotary axes so that the tool stands along it. A word that moves one of them turns the tool out of the plane, or the part \
+under it, and what the coordinates mean then depends on the machine." {
+    rotary_axis_moves_in_tilted_plane(letter) "{letter} moves while the working plane is tilted"
+        help "switch the plane off before it, or give the angle to the plane";
 }
 }

@@ -24,7 +24,8 @@ S9004 Error "siemens-synchronized" "synchronized action"
 }
 
 S9006 Error "siemens-transformation" "transformation is not supported"
-"TRAORI, TRAANG, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine. TRANSMIT and TRACYL are \
+"TRAORI, TRAANG and others turn programmed coordinates into other axes, which needs the kinematics of the machine. CYCLE800 is compiled where it swivels \
+axis by axis and turns the rotary axes by itself; its other ways are refused by name. TRANSMIT and TRACYL are \
 compiled where `[cycles] transmit` says how they are printed: \"polar\" with X and the rotary axis, \"cartesian\" as the program sees them." {
     procedure_is_not_supported(name, what) "{name} ({what}) is not supported";
     gives_direction_of_tool(letter, number) "{letter}{number}= gives the direction of the tool"
@@ -45,10 +46,40 @@ compiled where `[cycles] transmit` says how they are printed: \"polar\" with X a
         help "program the rotary axis, and leave CYCLE800 out";
     cycle800_has_no(value, name, at, wanted) "CYCLE800 has no {value} as `{name}` (argument {at})"
         help "give {wanted}";
-    cycle800_swivels_working_plane(name, value, at)
-        "CYCLE800 swivels the working plane by `{name}` = {value} (argument {at}), which plain G-code in three axes \
-        cannot say"
+    cycle800_swivels_in_mode(mode, what)
+        "CYCLE800 swivels by {what} (`_MODE` {mode}, argument 4), which is not supported"
+        help "swivel axis by axis: `_MODE` 57, 54, 45, 39, 30 or 27";
+    cycle800_has_no_order(mode)
+        "CYCLE800 has no `_MODE` {mode} (argument 4) with angles: its turns are about X, Y and Z, each once"
+        help "give 57 (X Y Z), 54 (Y X Z), 45 (X Z Y), 39 (Z X Y), 30 (Y Z X) or 27 (Z Y X)";
+    cycle800_does_more(digit, name, what)
+        "CYCLE800 with {digit} as the {name} of `_ST` (argument 3) {what}, which is not supported"
+        help "give 0 there, and program what it does in blocks of the program";
+    cycle800_turns_frame_only()
+        "CYCLE800 with `_DIR` 0 (argument 14) turns the plane and no rotary axis: the tool would not stand along the \
+        plane, and what turns the axes after it is not followed"
+        help "give -1 or 1, so that the cycle turns the rotary axes";
+    cycle800_selects_another_record(name, other)
+        "CYCLE800 swivels by the record \"{name}\", and before it by \"{other}\": another head or table, which is not \
+        supported"
+        help "compile the parts of the two records as two programs";
+    cycle800_swivels_deselected_record()
+        "CYCLE800 deselects the swivel record (`_TC` \"0\") and gives angles" help "give the name of the record";
+    cycle800_swivels_on_lathe()
+        "CYCLE800 swivels on a lathe, where how the plane lies to the turning axes is not built yet"
         help "have the CAM system put out the swivelled part by itself";
+    cycle800_swivels_in_another_plane()
+        "CYCLE800 swivels for a working plane other than G17 (`_DMODE`, or the code in force)"
+        help "program G17 before it, and 0 or 1 as the last digit of `_DMODE`";
+    cycle800_swivels_while_axes_are_transformed() "CYCLE800 swivels while TRANSMIT or TRACYL is on"
+        help "program TRAFOOF before it";
+    cycle800_swivels_turned_offset() "CYCLE800 swivels while a turned or scaled work offset is in force" alarm 61186
+        help "select a work offset that only shifts, and swivel by CYCLE800 alone";
+    cycle800_swivels_under_g500()
+        "CYCLE800 swivels under G500, and its positions are printed in machine coordinates"
+        help "select a work offset before it: G54";
+    cycle800_swivels_diameters() "CYCLE800 turns X into another direction while X is programmed as a diameter"
+        help "program DIAMOF before it";
     machines_in_axes_that_target_may_not(word, what)
         "{word} machines the {what} in axes that the target may not have"
         asks "set `[cycles] transmit = \"polar\"` for X and the rotary axis, or \"cartesian\" for a control that \

@@ -271,7 +271,7 @@ S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be ch
 }
 
 S8029 Note "siemens-swivel-zero" "swivelling by nothing"
-"CYCLE800 without angles leaves the plane where it is; its offsets before and after the rotation shift the workpiece. Rotary axes stay where they are: the output has a machine in \
+"CYCLE800 without angles leaves a plane where it is that is not swivelled; its offsets before and after the rotation shift the workpiece. Rotary axes stay where they are: the output has a machine in \
 mind whose plane is not swivelled." {
     turns_nothing_and_is_left_out() "CYCLE800 without angles and offsets turns nothing and is left out";
     turns_nothing_and_only_retracts() "CYCLE800 without angles and offsets turns nothing and only retracts";

@@ -99,6 +99,30 @@ S2282 Error "siemens-transformation-cycle" "turning cycle inside a transformatio
         help "program TRAFOOF before it";
 }
 
+S2283 Error "siemens-swivelled" "what cannot change while the working plane is swivelled"
+"Under a swivelled plane positions count in it, and rotary axes stand as it wants. What lies outside of it, the work offset and the axes of a transformation, stays \
+until the plane is off. What becomes of TRANS or ROT where CYCLE800() ends the plane is not confirmed: end it before." {
+    work_offset_changes(word) "{word} changes the work offset while the working plane is swivelled"
+        help "swivel back before it: CYCLE800 with angles of 0";
+    save_brings_work_offset_back() "the program with SAVE brings another work offset back while the working plane is swivelled"
+        help "swivel back before its end: CYCLE800 with angles of 0";
+    frame_of_offset_changes(word) "`{word}` changes the frame under the swivelled working plane"
+        help "swivel back before it: CYCLE800 with angles of 0";
+    axes_are_transformed(word) "{word} begins while the working plane is swivelled"
+        help "swivel back before it: CYCLE800 with angles of 0";
+    programmed_frame_is_in_force_where_plane_ends()
+        "CYCLE800 ends the swivelled plane, and TRANS, ROT, SCALE or MIRROR is active in it"
+        help "program TRANS without axes before CYCLE800, and the frame again after it";
+}
+
+S8255 Warning "siemens-swivel-direction" "copy of the direction of a swivel says otherwise"
+"The screen of CYCLE800 keeps its choice of the direction in `_ST` too (100000 for minus, 200000 for plus). The control goes by `_DIR`, and so does partc. Where the two \
+contradict each other, the call was changed by hand: check which solution is meant." {
+    st_says_otherwise_than_dir(state, direction)
+        "`_ST` {state} (argument 3) keeps another direction than `_DIR` {direction} (argument 14), which decides"
+        help "accept the call in the editor again, or write 0 or 1 as `_ST`";
+}
+
 S8250 Note "siemens-transformation-virtual" "face or mantle is printed in Cartesian axes"
 "With `[cycles] transmit = \"cartesian\"` the moves between TRANSMIT or TRACYL and TRAFOOF are printed as programmed, in axes that the program sees. The \
 machine needs X and Y, or a control that transforms by itself." {

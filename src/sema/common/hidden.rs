@@ -1,4 +1,4 @@
-//! What hid where an axis stands: a tool change, another cutting edge, or a move in machine coordinates.
+//! What hid where an axis stands: a tool change, another cutting edge, a turn of the working plane, or a move in machine coordinates.
 
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
@@ -15,10 +15,10 @@ pub enum By {
     Call,
     /// A probe moved the axis, and its block or cycle is left out.
     Probe,
+    /// The rotary axes turned into another plane, or a plane ended.
+    Tilt,
     /// A curve table names the axis, and is left out.
     Table,
-    /// The working plane was tilted, and the axis counts in another system.
-    Tilt,
     /// The axis went to this machine coordinate, or with an axis that did, and where the work offset lies is not known.
     Machine(Option<f64>),
 }
@@ -46,7 +46,7 @@ impl Hidden {
         match by {
             By::Call => self.called = self.called.union(axes),
             By::Probe => self.probed = self.probed.union(axes),
-            By::ToolChange | By::Edge | By::Table | By::Tilt | By::Machine(_) => {}
+            By::ToolChange | By::Edge | By::Tilt | By::Table | By::Machine(_) => {}
         }
     }
 
@@ -93,8 +93,8 @@ pub fn because(hidden: Option<(By, Loc)>, here: Loc) -> String {
         By::Edge => "the change of the cutting edge",
         By::Call => "the call",
         By::Probe => "the measuring",
-        By::Table => "the curve table",
         By::Tilt => "the turn of the working plane",
+        By::Table => "the curve table",
         By::Machine(_) => "the move in machine coordinates",
     };
     if loc.file == here.file { format!(" after {what} in line {}", loc.line) } else { format!(" after {what}") }

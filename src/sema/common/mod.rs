@@ -7,6 +7,7 @@ pub mod corner;
 pub mod feed;
 pub mod hidden;
 pub mod m_functions;
+pub mod orientation;
 pub mod plane;
 pub mod position;
 pub mod spindle;

@@ -121,7 +121,7 @@ impl<L: Language> Core<'_, L> {
         let counts = match hidden {
             Some((By::Machine(_), _)) => true,
             Some((By::ToolChange, _)) => position.after_change().1 && position.after_change().0.get(axis).is_some(),
-            Some((By::Edge | By::Call | By::Probe | By::Table | By::Tilt, _)) | None => false,
+            Some((By::Edge | By::Call | By::Probe | By::Tilt | By::Table, _)) | None => false,
         };
         let mut fault = fault(&axis.letter(), &why);
         if let Some(more) = if counts { lack().or_give(axis) } else { Some(position.or_say(axis)) } {
@@ -152,8 +152,8 @@ fn label(by: By) -> Label {
         By::Edge => Label::EdgeChanges,
         By::Call => Label::CallMoves,
         By::Probe => Label::ProbeMoves,
+        By::Tilt => Label::PlaneTurns,
         By::Table => Label::CurveTableLeftOut,
-        By::Tilt => Label::PlaneTilts,
         By::Machine(_) => Label::MachineCoordinate,
     }
 }

@@ -7,11 +7,11 @@ use std::rc::Rc;
 use crate::diag::{Parts, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::Pos;
-use crate::ir::contour::{Ctx, Path};
+use crate::ir::contour::{Coords, Ctx, Path};
 use crate::ir::cycle::drilling::{Method, Tap};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::Spindle;
-use crate::machine::{Axis, AxisSet};
+use crate::machine::Axis;
 use crate::sema::cycle::call::{Elsewhere, Kind, Made, Refusal, Remark};
 use crate::sema::cycle::given::Given;
 use crate::sema::run::Where;
@@ -266,7 +266,10 @@ impl Channel<'_> {
     }
 
     fn send_cycle(&mut self, cycle: &Cycle) {
-        if self.leaves_touched(AxisSet::of(self.st.roles()[2]), false).is_err() {
+        let [_, _, third] = self.st.roles();
+        let mut along = Pos::UNKNOWN;
+        along.set(third, 0.0);
+        if self.leaves_touched(along.known(), false).is_err() || self.stands_right(&along, Coords::Frame).is_err() {
             return;
         }
         self.st.length_acts_along_z(&self.core);

@@ -39,6 +39,9 @@ impl Default for FrameValue {
 const MOST_SHIFT: f64 = 1e9;
 const MOST_SCALE: f64 = 1e6;
 
+/// Elements of a rotation that are smaller come from rounding.
+const UPRIGHT: f64 = 1e-12;
+
 /// A component of a frame: `[X,TR]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Component {
@@ -75,6 +78,17 @@ impl FrameValue {
         let mut frame = FrameValue::default();
         for (axis, value) in values {
             frame.fine[axis.index()] = *value;
+        }
+        frame
+    }
+
+    /// Turned as the columns of `linear` say, with its zero point `at`.
+    pub fn placed(linear: Matrix3<f64>, at: Vector3<f64>) -> FrameValue {
+        let upright = (linear - Matrix3::identity()).iter().all(|v| v.abs() < UPRIGHT);
+        let (linear, parts) = if upright { (Matrix3::identity(), Some(PLAIN)) } else { (linear, None) };
+        let mut frame = FrameValue { linear, parts, ..FrameValue::default() };
+        for (place, value) in frame.shift.iter_mut().zip(at.iter()) {
+            *place = *value;
         }
         frame
     }
@@ -124,6 +138,21 @@ impl FrameValue {
 
     fn total(&self, i: usize) -> f64 {
         self.shift[i] + self.fine[i]
+    }
+
+    /// Its axes X, Y and Z as columns; longer or shorter than 1 under a scale.
+    pub fn axes(&self) -> &Matrix3<f64> {
+        &self.linear
+    }
+
+    /// Its zero point in X, Y and Z.
+    pub fn origin(&self) -> Vector3<f64> {
+        Vector3::new(self.total(0), self.total(1), self.total(2))
+    }
+
+    /// Does it turn, scale and mirror nothing?
+    pub fn is_shift(&self) -> bool {
+        self.linear == Matrix3::identity()
     }
 
     /// The frame with which `self` undoes itself.
@@ -245,7 +274,7 @@ fn linear(parts: &Parts) -> Matrix3<f64> {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Frames {
     programmable: FrameValue,
-    /// The shift of CYCLE800.
+    /// The plane of CYCLE800, or its shift.
     swivelled: FrameValue,
     /// Work offsets that the program wrote, by number (0 is G500).
     written: BTreeMap<u8, FrameValue>,
@@ -301,7 +330,7 @@ impl Frames {
         self.written.insert(number, frame);
     }
 
-    /// The shift of CYCLE800, between the work offset and the programmable frame.
+    /// The plane of CYCLE800, or its shift, between the work offset and the programmable frame.
     pub fn swivelled(&self) -> &FrameValue {
         &self.swivelled
     }
@@ -310,8 +339,24 @@ impl Frames {
         self.swivelled = frame;
     }
 
-    /// All of them together.
-    pub fn total(&self) -> FrameValue {
+    /// Does CYCLE800 turn the plane? Positions count in it then, and not in the workpiece.
+    pub fn is_tilted(&self) -> bool {
+        !self.swivelled.is_shift()
+    }
+
+    /// Where the plane of CYCLE800 lies in the workpiece.
+    pub fn plane(&self) -> FrameValue {
+        match &self.settable {
+            Some(outer) => outer.chain(&self.swivelled),
+            None => self.swivelled.clone(),
+        }
+    }
+
+    /// From programmed coordinates to those of the workpiece, or of the plane while that is turned.
+    pub fn of_positions(&self) -> FrameValue {
+        if self.is_tilted() {
+            return self.programmable.clone();
+        }
         let inner = self.swivelled.chain(&self.programmable);
         match &self.settable {
             Some(outer) => outer.chain(&inner),

@@ -163,6 +163,8 @@ impl Channel<'_> {
         if !self.st.is(offset) {
             // The work offset of the call comes back, whatever MD 10617 says.
             let _: Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
+        } else if self.st.frames.settable() != saved.frames.settable.as_ref() && self.st.frames.is_tilted() {
+            self.core.say(Where::Block, codes::S2283::save_brings_work_offset_back());
         } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
             self.st.frames.restore_settable(&self.core, saved.frames.settable);
         }

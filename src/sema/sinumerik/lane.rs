@@ -77,6 +77,7 @@ impl Channel<'_> {
             && self.left.speed.is_none()
             && self.curve_table.is_none()
             && self.st.touched.is_none()
+            && self.st.orientation.may_move()
             && self.st.position.left_by_calls().is_empty()
     }
 

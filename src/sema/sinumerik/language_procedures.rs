@@ -10,7 +10,7 @@ use crate::text::Span;
 
 use super::left_out::{LeftOut, said_of_feed_axes};
 use super::line::{Line, NextText};
-use super::swivel::{MOST as MOST_OF_SWIVEL, RECORD as SWIVEL_RECORD};
+use super::swivel_call::{Arguments, MOST as MOST_OF_SWIVEL, RECORD as SWIVEL_RECORD};
 use super::system_meanings::meaning_of;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{OnSurface, Procedure, Refusal};
@@ -238,24 +238,26 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// `CYCLE800(…)`. Angles move axes that the target does not have.
+    /// `CYCLE800(…)`
     fn swivel(&mut self, formulas: &[Formula], span: Span, line: Line<'_>) -> Outcome {
-        let mut values = [0.0; MOST_OF_SWIVEL];
+        let mut given = Arguments::of(formulas.len());
         for (at, formula) in formulas.iter().enumerate().filter(|(_, formula)| !formula.is_missing()) {
             if at == SWIVEL_RECORD {
-                continue;
-            }
-            let value = self.number(*formula, line)?;
-            match values.get_mut(at) {
-                Some(place) => *place = value,
-                None => {
+                match self.eval(*formula, line)? {
+                    Val::Text(name) => given.take_record(&name, formula.span),
+                    other => {
+                        return self.channel.core.refuse(formula.span, codes::P2024::text_is_needed(&other.what()));
+                    }
+                }
+            } else {
+                let value = self.number(*formula, line)?;
+                if !given.take(at, value, formula.span) {
                     let fault = codes::S2021::cycle800_takes_arguments(&MOST_OF_SWIVEL);
                     return self.channel.core.refuse(formula.span, fault);
                 }
             }
-            self.channel.swivel_argument(at, value, formula.span)?;
         }
-        self.channel.swivel_by_nothing(&values, formulas.len() <= 1, span)
+        self.channel.swivel(&given, span)
     }
 }
 
@@ -284,10 +286,7 @@ impl Channel<'_> {
                 self.st.diameter = None;
                 Ok(())
             }
-            Procedure::Swivel if !has_arguments => {
-                self.swivel_off(span);
-                Ok(())
-            }
+            Procedure::Swivel if !has_arguments => self.swivel_off(span),
             Procedure::EndLabel => self.core.refuse(span, codes::P1001::endlabel_is_label()),
             Procedure::Refused(refusal) => {
                 // Nobody knows where it leaves the axes.

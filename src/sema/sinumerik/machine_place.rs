@@ -24,7 +24,8 @@ impl State {
     /// Axes in which the length of a tool counts.
     pub(super) fn tool_axes(&self) -> AxisSet {
         let [_, _, third] = self.roles();
-        let mut axes = AxisSet::of(third);
+        // Where the tool stands along none of them, its length counts in all.
+        let mut axes = if self.orientation.is_upright() { AxisSet::of(third) } else { AxisSet::MAIN };
         if self.machine.lathe {
             axes.insert(Axis::X);
             axes.insert(Axis::Z);
@@ -75,6 +76,10 @@ impl State {
         if !core.job.settings.output.prints_tool_length() {
             core.says_tip_in_machine_coordinates(place);
             return Ok(value);
+        }
+        if !self.orientation.is_upright() {
+            let asking = codes::P2005::tool_does_not_stand_along_axis(&axis.letter());
+            return core.refuse(place, asking.answer(Answer::key("control", "md10760").one_of(&["true"])));
         }
         match length {
             ToolLength::Known(length) => {

@@ -87,6 +87,7 @@ mod stand_in;
 mod state;
 mod survey;
 mod swivel;
+mod swivel_call;
 mod synchronized;
 mod system;
 mod system_meanings;

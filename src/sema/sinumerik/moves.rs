@@ -27,6 +27,9 @@ impl Channel<'_> {
         if somewhere && self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
             return;
         }
+        if self.stands_right(end, Coords::Frame).is_err() {
+            return;
+        }
         if self.st.offsets.in_machine() {
             return self.send_in_machine(end, path);
         }
@@ -119,6 +122,7 @@ impl Channel<'_> {
             end.set(axis, value);
         }
         self.leaves_touched(end.known(), code == GCode::G0)?;
+        self.stands_right(&end, Coords::Machine)?;
         self.st.offsets.moves_in_machine();
         self.st.offsets.machine_moves_beside_g500(&self.core, span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };

@@ -109,7 +109,7 @@ impl Channel<'_> {
 
     /// A rapid to a place in machine coordinates, behind which its axes stand at no known place of the workpiece.
     pub(super) fn machine_rapid(&mut self, end: Pos) {
-        if self.leaves_touched(end.known(), true).is_err() {
+        if self.leaves_touched(end.known(), true).is_err() || self.stands_right(&end, Coords::Machine).is_err() {
             return;
         }
         let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };

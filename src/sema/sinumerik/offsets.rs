@@ -170,6 +170,12 @@ impl Channel<'_> {
         let place = place.into();
         self.pending_must_be_done(place)?;
         let number = index - 1;
+        if self.st.frames.is_tilted() {
+            // The offset in force changes nothing.
+            let same = number == self.st.frames.offset() && self.st.frames.written(number).is_none();
+            let changes = codes::S2283::work_offset_changes(&offset_word(number));
+            return if same && number != 0 { Ok(()) } else { self.core.refuse(place, changes) };
+        }
         self.st.codes.activate(GCode::new(Group::WorkOffset, index));
         self.st.frames.select_offset(number);
         if self.st.side() != Side::None {

@@ -24,7 +24,7 @@ impl State {
         let offsets = &self.offsets;
         let word;
         let names: &[&str] = match offsets.outer() {
-            _ if self.transformation.is_some() => return Err(Lack::Nothing),
+            _ if self.transformation.is_some() || self.orientation.is_disturbed() => return Err(Lack::Nothing),
             Outer::Printed(number) => {
                 word = offset_word(number);
                 &[&word, BASIC]
@@ -67,6 +67,7 @@ impl State {
     /// Do positions without the frame of the program count in a work offset of the machine?
     fn counts_from_a_work_offset(&self) -> bool {
         self.transformation.is_none()
+            && !self.orientation.is_disturbed()
             && !self.offsets.in_machine()
             && self.frames.settable().is_none_or(|frame| *frame == super::frames::FrameValue::default())
     }
@@ -82,7 +83,12 @@ impl State {
     pub(super) fn forget_tip(&mut self, loc: Loc, by: By) {
         let [_, _, third] = self.roles();
         let lathe = self.machine.lathe;
-        let axes = if lathe { [Axis::X, Axis::Z].into_iter().collect() } else { AxisSet::of(third) };
+        let axes = match by {
+            // The changer moves an axis of the machine, and with it all those of the plane.
+            By::ToolChange if self.frames.is_tilted() => AxisSet::MAIN,
+            _ if lathe => [Axis::X, Axis::Z].into_iter().collect(),
+            _ => AxisSet::of(third),
+        };
         self.position.forget_tip(axes, by, loc);
     }
 
@@ -102,6 +108,11 @@ impl Channel<'_> {
     pub(super) fn moved_by_machine(&mut self, end: &Pos, tip: &Pos) {
         let (ctx, loc) = (self.st.ctx.clone(), self.core.here.origin.loc);
         self.st.position.moved_by_machine(end, &ctx.frame, loc);
+        // Each coordinate of a tilted plane depends on each axis of the machine.
+        if self.st.frames.is_tilted() && !end.known().common(AxisSet::MAIN).is_empty() {
+            self.st.position.forget(AxisSet::MAIN);
+            self.st.position.hide(AxisSet::MAIN, By::Machine(None), loc);
+        }
         let places = out_of_machine(end, |axis, value| match tip.get(axis) {
             Some(tip) => Some(tip - self.st.zero(self.core.job.settings, axis).ok()?),
             None => Some(value - self.st.zero_in_machine(self.core.job.settings, axis).ok()?),

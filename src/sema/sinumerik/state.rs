@@ -7,6 +7,7 @@ use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Frame, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
+use crate::sema::common::orientation::Orientation;
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
@@ -50,6 +51,10 @@ pub(super) struct State {
     pub feed: FeedState,
     pub spindles: Spindles,
     pub frames: Frames,
+    /// What planes and rotary words made of the tool.
+    pub orientation: Orientation,
+    /// Name of the swivel record by which CYCLE800 last turned rotary axes.
+    pub swivel_record: String,
     pub offsets: OffsetUse,
     /// DIAMONA and its kin, over group 29.
     pub diameter: Option<Diameter>,
@@ -117,6 +122,8 @@ impl State {
             feed: FeedState::at_start(settings),
             spindles: Spindles::default(),
             frames: Frames::default(),
+            orientation: Orientation::default(),
+            swivel_record: String::new(),
             offsets: OffsetUse::default(),
             diameter: None,
             tool: ToolInUse::default(),
@@ -265,7 +272,7 @@ impl State {
 
     /// Makes the context fit the frames; the tool stays where it is.
     pub(super) fn refresh_frame(&mut self, core: &Core<'_>) {
-        let Some(frame) = self.frames.total().map() else {
+        let Some(frame) = self.frames.of_positions().map() else {
             self.position.lose(AxisSet::ALL);
             self.frames.set_programmable(FrameValue::default());
             let _: super::Outcome = core.refuse(Where::Block, codes::S2034::frame_cannot_be_used());

@@ -1,139 +1,251 @@
-//! `CYCLE800`: a swivelled plane that is none. Without angles it shifts the workpiece, and may retract the tool.
+//! `CYCLE800`: a swivelled plane, in which positions count from there on. Without angles it shifts the workpiece. The tool may be
+//! retracted before.
 //!
-//! Source: S 4.9 (docs/sources.md).
+//! The plane lies inside of the work offset and outside of the programmable frame. Source: S 4.9 (docs/sources.md) and
+//! references, multi-axis, section 3.1.
 
 use crate::diag::{Answer, codes};
 use crate::ir::contour::{Coords, Move, Path};
-use crate::ir::{Pos, Side};
+use crate::ir::tilt::Solution;
+use crate::ir::{Function, Pos, Side, Tilt, Tilting};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::common::hidden::By;
+use crate::sema::run::Where;
+use crate::sema::run::refusal::{Made, refused};
 use crate::text::Span;
 
+use super::diameter::Diameter;
 use super::frames::FrameValue;
-use super::value::whole;
-use super::{Channel, Outcome};
+use super::swivel_call::{Arguments, Direction, Swivel};
+use super::tangent::Heading;
+use super::{Channel, Core, Outcome, State};
 
-/// Places of the arguments, from 0.
-const RETRACTION: usize = 0;
-const STATE: usize = 2;
-const MODE: usize = 3;
-const BEFORE: usize = 4;
-const ANGLES: usize = 7;
-const AFTER: usize = 10;
-const DIRECTION: usize = 13;
-const RETRACTION_WAY: usize = 14;
-const MODE_OF_SCREEN: usize = 15;
+/// What a call does.
+#[derive(Debug)]
+enum Act {
+    /// The rotary axes turn into the plane.
+    Into(FrameValue, Solution),
+    /// They turn back; the workpiece is shifted.
+    Back(FrameValue, Solution),
+    /// The plane ends, and nothing turns.
+    Off(FrameValue),
+    /// There is no plane, and the workpiece is shifted.
+    Shift(FrameValue),
+}
 
-/// The name of the swivel record.
-pub(super) const RECORD: usize = 1;
-/// Most arguments.
-pub(super) const MOST: usize = 16;
-
-/// What the call gives.
-#[derive(Debug, Default)]
-struct Swivel {
-    /// `_FR`
-    retraction: f64,
-    /// `_FR_I`
-    way: f64,
-    /// Nothing but a retraction is given: back to the plane that is not swivelled.
-    resets: bool,
-    /// The shift adds to the one of the call before.
-    additive: bool,
-    /// `_X0 + _X1` and its kin, in mm.
-    shift: [f64; 3],
+impl Act {
+    /// What of the plane is left outside of the programmable frame.
+    fn frame(&self) -> &FrameValue {
+        match self {
+            Act::Into(frame, _) | Act::Back(frame, _) | Act::Off(frame) | Act::Shift(frame) => frame,
+        }
+    }
 }
 
 impl Channel<'_> {
-    /// An argument alone: an angle, or a code of which somebody knows what it turns.
-    pub(super) fn swivel_argument(&mut self, at: usize, value: f64, span: Span) -> Outcome {
-        if (ANGLES..AFTER).contains(&at) && value != 0.0 {
+    /// `CYCLE800(…)`
+    pub(super) fn swivel(&mut self, given: &Arguments, span: Span) -> Outcome {
+        let done = self.swivel_by(given, span);
+        if done.is_err() {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
-            let name = ["_A", "_B", "_C"].get(at - ANGLES).copied().unwrap_or_default();
-            return self.core.refuse(span, codes::S9006::cycle800_swivels_working_plane(&name, &value, &(at + 1)));
         }
-        let code = whole(value);
-        let (name, known, wanted) = match at {
-            STATE => (
-                "_ST",
-                code.is_some_and(|code| code >= 0 && code % 10 < 2),
-                "units 0 for a new plane or 1 for an additive one",
-            ),
-            MODE => ("_MODE", code.is_some_and(|code| (0..256).contains(&code)), "a code up to 255"),
-            DIRECTION => ("_DIR", code.is_some_and(|code| (-2..3).contains(&code)), "-1 or 1, or 0"),
-            MODE_OF_SCREEN => ("_DMODE", code.is_some_and(|code| (0..100_000_000).contains(&code)), "a whole number"),
-            _ => return Ok(()),
-        };
-        if known {
-            return Ok(());
-        }
-        self.st.position.lose(AxisSet::ALL);
-        self.lost();
-        self.core.refuse(span, codes::S9006::cycle800_has_no(&value, &name, &(at + 1), &wanted))
-    }
-
-    /// `CYCLE800(…)` without angles; `resets` where it has no argument but the retraction.
-    pub(super) fn swivel_by_nothing(&mut self, values: &[f64; MOST], resets: bool, span: Span) -> Outcome {
-        let unit = self.st.length_unit();
-        let swivel = &Swivel {
-            retraction: values[RETRACTION],
-            way: values[RETRACTION_WAY] * unit,
-            resets,
-            additive: whole(values[STATE]).is_some_and(|state| state % 10 == 1),
-            shift: [0, 1, 2].map(|axis| (values[BEFORE + axis] + values[AFTER + axis]) * unit),
-        };
-        let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
-        if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
-            return self.core.refuse(span, codes::S9006::cycle800_may_turn_back_to_0(&axis.letter()));
-        }
-        self.shift_is_clear(swivel, span)?;
-        self.swivel_retracts(swivel, span)?;
-        self.pending_must_be_done(span)?;
-        let added = FrameValue::shifted(&[Axis::X, Axis::Y, Axis::Z].map(|axis| (axis, swivel.shift[axis.index()])));
-        let shift = if swivel.additive { self.st.frames.swivelled().chain(&added) } else { added };
-        let [x, y, z] = [0, 1, 2].map(|axis| shift.shift[axis]);
-        let fault = if shift != FrameValue::default() {
-            codes::S8029::turns_nothing_and_shifts(&x, &y, &z)
-        } else if swivel.retraction == 0.0 {
-            codes::S8029::turns_nothing_and_is_left_out()
-        } else {
-            codes::S8029::turns_nothing_and_only_retracts()
-        };
-        self.core.say_once(span, fault);
-        self.shift_workpiece(shift);
-        Ok(())
+        done
     }
 
     /// `CYCLE800()`: back to the plane that is not swivelled.
-    pub(super) fn swivel_off(&mut self, span: Span) {
+    pub(super) fn swivel_off(&mut self, span: Span) -> Outcome {
+        if self.st.frames.is_tilted() {
+            return self.swivel(&Arguments::of(0), span);
+        }
         self.shift_workpiece(FrameValue::default());
         self.core.say_once(span, codes::S8103::words_that_only_steer_control());
+        Ok(())
     }
 
-    fn shift_workpiece(&mut self, shift: FrameValue) {
-        self.st.frames.set_swivelled(shift);
-        self.st.refresh_frame(&self.core);
-    }
-
-    /// A shift stands outside of the programmable frame, which a new plane deletes on the control.
-    fn shift_is_clear(&mut self, swivel: &Swivel, span: Span) -> Outcome {
-        let shifts = swivel.shift != [0.0; 3] || *self.st.frames.swivelled() != FrameValue::default();
-        if self.st.side() != Side::None && shifts {
-            return self.core.refuse(span, codes::S2080::frame_changes_while_radius_compensation());
+    fn swivel_by(&mut self, given: &Arguments, span: Span) -> Outcome {
+        let swivel = match given.read(self.st.length_unit()) {
+            Ok(swivel) => swivel,
+            Err((place, fault)) => return self.core.refuse(place, fault),
+        };
+        let act = self.st.act_of(&swivel, span);
+        let act = self.core.made(act)?;
+        let clear = self.st.may_swivel(&self.core, &swivel, &act, span);
+        self.core.made(clear)?;
+        if let (Some((place, fault)), Act::Into(..) | Act::Back(..)) = (swivel.contradiction.as_ref(), &act) {
+            self.core.say_once(*place, fault.clone());
         }
-        let programmed = !swivel.resets && self.st.frames.programmable().map().is_none_or(|frame| !frame.is_identity());
-        let lathe = shifts && self.st.machine.lathe;
-        if !programmed && !lathe {
+        self.swivel_retracts(&swivel, span)?;
+        self.pending_must_be_done(span)?;
+        self.carry_out_swivel(act, &swivel, span)
+    }
+
+    fn carry_out_swivel(&mut self, act: Act, swivel: &Swivel, span: Span) -> Outcome {
+        let loc = self.core.here.origin.loc;
+        if let Act::Shift(shift) = act {
+            self.core.say_once(span, said_of_shift(&shift, swivel));
+            self.shift_workpiece(shift);
             return Ok(());
         }
-        self.st.position.lose(AxisSet::ALL);
-        self.lost();
-        if lathe {
-            return self.core.refuse(span, codes::S9006::cycle800_shifts_workpiece());
+        // Rotary axes turn away from where a call or a probe left the tool.
+        self.leaves_touched(AxisSet::of(Axis::C), true)?;
+        self.shift_workpiece(act.frame().clone());
+        let tilting = match act {
+            Act::Into(_, solution) => {
+                self.st.orientation.turn_into_plane();
+                let plane = self.st.frames.plane();
+                Tilting::Into(Tilt { axes: *plane.axes(), origin: plane.origin(), solution })
+            }
+            Act::Back(_, solution) => {
+                self.st.orientation.turn_back();
+                Tilting::Back(solution)
+            }
+            Act::Off(_) | Act::Shift(_) => {
+                self.st.orientation.leave_plane(loc);
+                Tilting::Off
+            }
+        };
+        if tilting.turns() && !swivel.record.is_empty() {
+            self.st.swivel_record.clone_from(&swivel.record);
         }
-        self.core.refuse(span, codes::S9006::cycle800_for_new_plane_deletes_programmed_frames())
+        self.st.heading = Heading::None;
+        self.st.position.forget(AxisSet::ALL);
+        self.st.position.hide(AxisSet::ALL, By::Tilt, loc);
+        self.function(Function::Tilt(Box::new(tilting)));
+        Ok(())
     }
 
+    fn shift_workpiece(&mut self, frame: FrameValue) {
+        self.st.frames.set_swivelled(frame);
+        self.st.refresh_frame(&self.core);
+    }
+}
+
+/// What is said of a call that turns nothing.
+fn said_of_shift(shift: &FrameValue, swivel: &Swivel) -> crate::diag::Fault {
+    let [x, y, z] = [0, 1, 2].map(|axis| shift.shift[axis]);
+    if *shift != FrameValue::default() {
+        codes::S8029::turns_nothing_and_shifts(&x, &y, &z)
+    } else if swivel.retraction == 0.0 {
+        codes::S8029::turns_nothing_and_is_left_out()
+    } else {
+        codes::S8029::turns_nothing_and_only_retracts()
+    }
+}
+
+impl State {
+    /// What the call does from the plane in force.
+    fn act_of(&self, swivel: &Swivel, span: Span) -> Made<Act> {
+        let on = self.frames.is_tilted();
+        let plane = if swivel.resets {
+            FrameValue::default()
+        } else if swivel.additive {
+            let chained = self.frames.swivelled().chain(&swivel.plane);
+            FrameValue::placed(*chained.axes(), chained.origin())
+        } else {
+            swivel.plane.clone()
+        };
+        let solution = match swivel.direction {
+            _ if swivel.resets => None,
+            Direction::Smaller => Some(Solution::Reference { greater: false }),
+            Direction::Greater => Some(Solution::Reference { greater: true }),
+            Direction::Stays | Direction::Unknown => None,
+        };
+        let turned = on || !self.orientation.may_move();
+        match solution {
+            Some(solution) if !plane.is_shift() => Ok(Act::Into(plane, solution)),
+            None if !plane.is_shift() => refused(span, codes::S9006::cycle800_turns_frame_only()),
+            Some(solution) if turned || self.is_turned_by_words() && !self.machine.lathe => {
+                Ok(Act::Back(plane, solution))
+            }
+            None if on && swivel.direction == Direction::Unknown && !swivel.resets => {
+                refused(span, codes::S9006::cycle800_turns_frame_only())
+            }
+            None if on => Ok(Act::Off(plane)),
+            _ => match self.rotary_off_zero() {
+                Some(axis) => refused(span, codes::S9006::cycle800_may_turn_back_to_0(&axis.letter())),
+                None => Ok(Act::Shift(plane)),
+            },
+        }
+    }
+
+    /// A rotary axis that is known to stand elsewhere than at 0.
+    fn rotary_off_zero(&self) -> Option<Axis> {
+        let mut rotary = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
+        rotary.find(|axis| self.position.get(*axis).is_some_and(|at| at != 0.0))
+    }
+
+    fn is_turned_by_words(&self) -> bool {
+        self.rotary_off_zero().is_some() || self.orientation.is_turned_by_words()
+    }
+
+    /// What has to hold where the plane or the shift changes.
+    fn may_swivel(&self, core: &Core<'_>, swivel: &Swivel, act: &Act, span: Span) -> Made {
+        let changes = !matches!(act, Act::Shift(_));
+        let shifts = changes || *act.frame() != FrameValue::default() || *self.frames.swivelled() != FrameValue::default();
+        let leaving = changes && self.compensation.is_leaving();
+        if leaving || self.side() != Side::None && shifts {
+            return refused(span, codes::S2080::frame_changes_while_radius_compensation());
+        }
+        if self.machine.lathe && shifts {
+            let swivels = changes;
+            return refused(
+                span,
+                if swivels {
+                    codes::S9006::cycle800_swivels_on_lathe()
+                } else {
+                    codes::S9006::cycle800_shifts_workpiece()
+                },
+            );
+        }
+        let programmed = self.frames.programmable().map().is_none_or(|frame| !frame.is_identity());
+        if programmed && matches!(act, Act::Off(_)) {
+            return refused(span, codes::S2283::programmed_frame_is_in_force_where_plane_ends());
+        }
+        if programmed && !swivel.resets {
+            return refused(span, codes::S9006::cycle800_for_new_plane_deletes_programmed_frames());
+        }
+        if changes { self.may_turn(core, swivel, act, span) } else { Ok(()) }
+    }
+
+    /// What has to hold where the plane turns.
+    fn may_turn(&self, core: &Core<'_>, swivel: &Swivel, act: &Act, span: Span) -> Made {
+        if self.transformation.is_some() {
+            return refused(span, codes::S9006::cycle800_swivels_while_axes_are_transformed());
+        }
+        if self.offsets.in_machine() {
+            return refused(span, codes::S9006::cycle800_swivels_under_g500());
+        }
+        let Act::Into(plane, _) = act else { return self.same_record(swivel, act, span) };
+        if let Some((place, fault)) = &swivel.follows {
+            return refused(*place, fault.clone());
+        }
+        let in_force = self.plane() == crate::geo::Plane::Xy;
+        if !swivel.first_plane.unwrap_or(in_force) || self.machine.geometry_axes != [Axis::X, Axis::Y, Axis::Z] {
+            return refused(span, codes::S9006::cycle800_swivels_in_another_plane());
+        }
+        if self.frames.settable().is_some_and(|offset| !offset.is_shift()) {
+            return refused(span, codes::S9006::cycle800_swivels_turned_offset());
+        }
+        let diameters = core.job.settings.machine.diameter_axis == Some(Axis::X) && self.diameter_mode() != Diameter::Off;
+        if diameters && plane.axes()[(0, 0)] != 1.0 {
+            return refused(span, codes::S9006::cycle800_swivels_diameters());
+        }
+        self.same_record(swivel, act, span)
+    }
+
+    /// Another record is another head or table.
+    fn same_record(&self, swivel: &Swivel, act: &Act, span: Span) -> Made {
+        let other = &self.swivel_record;
+        let ends = matches!(act, Act::Off(_));
+        if ends || other.is_empty() || swivel.record.is_empty() || swivel.record == *other {
+            return Ok(());
+        }
+        refused(Where::Words(span), codes::S9006::cycle800_selects_another_record(&swivel.record, other))
+    }
+}
+
+impl Channel<'_> {
     /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y, 4 as far as possible along
     /// the tool, 5 by a way along the tool.
     fn swivel_retracts(&mut self, swivel: &Swivel, span: Span) -> Outcome {
@@ -188,9 +300,47 @@ impl Channel<'_> {
         let mut end = Pos::UNKNOWN;
         end.set(Axis::Z, at + way);
         self.leaves_touched(end.known(), true)?;
+        self.stands_right(&end, Coords::Frame)?;
         let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(&end);
+        Ok(())
+    }
+}
+
+impl Channel<'_> {
+    /// A move goes to `end`: main axes move by coordinates of the program only where the tool does not stand askew, and no word
+    /// turns it out of a tilted plane.
+    #[inline]
+    pub(super) fn stands_right(&mut self, end: &Pos, coords: Coords) -> Outcome {
+        let axes = end.known();
+        if self.capture.is_some() || axes.without(AxisSet::MAIN).is_empty() && self.st.orientation.may_move() {
+            return Ok(());
+        }
+        self.turns(end, coords)
+    }
+
+    #[cold]
+    fn turns(&mut self, end: &Pos, coords: Coords) -> Outcome {
+        let main = coords == Coords::Frame && !end.known().common(AxisSet::MAIN).is_empty();
+        let since = self.st.orientation.askew_since().filter(|_| main);
+        let mut rotary = end.known().iter().filter(|axis| axis.is_rotary());
+        let fault = if let Some(since) = since {
+            Some(codes::P2042::plane_is_off_and_rotary_axes_stay(&since.line))
+        } else if self.st.frames.is_tilted() {
+            rotary.next().map(|axis| codes::P2043::rotary_axis_moves_in_tilted_plane(&axis.letter()))
+        } else {
+            None
+        };
+        if let Some(fault) = fault {
+            self.core.say(Where::Block, fault);
+            self.lose_all();
+            return Err(super::Reported);
+        }
+        let places = if coords == Coords::Machine { *end } else { self.st.ctx.frame.apply(end) };
+        for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
+            self.st.orientation.rotary_move(axis, places.get(axis));
+        }
         Ok(())
     }
 }

@@ -69,6 +69,8 @@ impl State {
         if programmable {
             self.frames.set_programmable(frame);
             self.refresh_frame(core);
+        } else if self.frames.is_tilted() {
+            return core.refuse(span, codes::S2283::frame_of_offset_changes(&word));
         } else {
             core.resolved_offset_note(span);
             self.offsets.resolve(core, &mut self.position, span)?;

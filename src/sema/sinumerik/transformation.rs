@@ -88,6 +88,9 @@ impl State {
 
 impl Channel<'_> {
     fn transform(&mut self, on: OnSurface, surface: Surface, span: Span) -> Outcome {
+        if self.st.frames.is_tilted() {
+            return self.core.refuse(span, codes::S2283::axes_are_transformed(&on.word()));
+        }
         let (word, rotary) = (on.word(), self.core.job.settings.machine.rotary_axis);
         let as_seen = match self.core.job.settings.cycles.transmit {
             Transmit::Refuse => {
