@@ -387,12 +387,12 @@ impl Session {
 }
 
 /// A printer, and somebody who sees each item in workpiece coordinates once it is printed.
-struct Beside<'a> {
-    printer: &'a mut dyn motion::Sink,
-    beside: InWorkpiece<'a, dyn motion::Sink + 'a>,
+struct Beside<'p, 'b> {
+    printer: &'p mut dyn motion::Sink,
+    beside: InWorkpiece<'b, dyn motion::Sink + 'b>,
 }
 
-impl motion::Sink for Beside<'_> {
+impl motion::Sink for Beside<'_, '_> {
     fn movement(&mut self, mv: &motion::Move, origin: &Origin) {
         self.printer.movement(mv, origin);
         self.beside.movement(mv, origin);
