@@ -4,9 +4,9 @@
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, EulerWords, FeedWords, Frame, Length, LengthNumber,
-    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, PathWords, ProgramName, RigidTap, SpindleWords,
-    TapCycle, TapPitch, Target, TiltWords, ToolWords, base::BASE,
+    Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, EulerWords, FeedWords, Frame, Length,
+    LengthNumber, LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, PathWords, ProgramName, RigidTap,
+    SpindleWords, TapCycle, TapPitch, Target, TiltWords, ToolWords, base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
@@ -103,8 +103,7 @@ pub(super) const TAP: TapCycle = TapCycle {
 };
 
 /// A tilted plane; which angles follow need not be said.
-pub(super) const EULER: EulerWords =
-    EulerWords { on: "G68.2", mode: None, angles: *b"IJK", turn: "G53.1", off: "G69" };
+pub(super) const EULER: EulerWords = EulerWords { on: "G68.2", mode: None, angles: *b"IJK", turn: "G53.1", off: "G69" };
 
 /// M functions that the control knows by itself, and what they do there.
 pub(super) const OWN: &[(u32, &str)] = &[

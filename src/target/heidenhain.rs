@@ -7,8 +7,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Change, Comments, Dialog, Dwell, FeedWords, Flow, Form, Frame, HelixWords, Length, Line, MFunctions, Motion,
-    Numbers, PathBound, PathWords, PlaneWords, ProgramName, RigidTap, Sequence, TapDialog, Target, TiltWords, ToolWords,
-    base::BASE,
+    Numbers, PathBound, PathWords, PlaneWords, ProgramName, RigidTap, Sequence, TapDialog, Target, TiltWords,
+    ToolWords, base::BASE,
 };
 
 // What F counts where a rotary axis goes along is not confirmed, and what M136 counts differs by generation: neither is said.

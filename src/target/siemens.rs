@@ -6,9 +6,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CoolantWords, Dwell, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    MFunctions, MoreOffsets, Motion, PathBound, PathWords, RigidTap, SpindleWords, SwivelWords, Target, Thread, TiltWords, ToolWords,
-    Turns,
-    base::BASE,
+    MFunctions, MoreOffsets, Motion, PathBound, PathWords, RigidTap, SpindleWords, SwivelWords, Target, Thread,
+    TiltWords, ToolWords, Turns, base::BASE,
 };
 
 // Which axes F counts is a matter of the machine (FGROUP): no rotary ones. G96 would take the feed per revolution with it.

@@ -30,7 +30,7 @@ impl Validator {
             return;
         }
         let text = Text { bytes, end };
-        let result = self.check_tap(tap, place, text);
+        let result = self.is_in_plane().and_then(|()| self.check_tap(tap, place, text));
         // Its F may have been a pitch.
         self.feed = None;
         self.judge(result, tap, origin, text);

@@ -3,8 +3,8 @@
 use nalgebra::Matrix3;
 
 use crate::geo::rotation;
-use crate::ir::tilt::{Solution, Tilt};
 use crate::ir::Tilting;
+use crate::ir::tilt::{Solution, Tilt};
 use crate::machine::AxisSet;
 use crate::machine::settings::Machine;
 use crate::read::{self, Act, Angles, Choice, Path, SCALE};

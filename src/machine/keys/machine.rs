@@ -123,7 +123,11 @@ fn swivel_record(node: &Node) -> Result<String, ConfigError> {
     const LONGEST: usize = 32;
     let name = text(node);
     let fine = name.len() <= LONGEST && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
-    if fine { Ok(name.to_owned()) } else { Err(node.fail("the name of a swivel record is letters, digits, `_` and `-`")) }
+    if fine {
+        Ok(name.to_owned())
+    } else {
+        Err(node.fail("the name of a swivel record is letters, digits, `_` and `-`"))
+    }
 }
 
 fn diameter_axis(settings: &mut Settings, node: &Node) -> Result<(), ConfigError> {

@@ -3,6 +3,7 @@
 mod faults;
 mod streams;
 mod taps;
+mod tilts;
 
 use crate::diag::Diags;
 use crate::emit::Printer;
