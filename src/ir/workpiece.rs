@@ -21,7 +21,8 @@ use super::{Function, Origin, Pos, Tap};
 
 use tilted::Tilted;
 
-pub use chords::TOLERANCE;
+#[cfg(test)]
+use chords::TOLERANCE;
 
 /// Hands items on to `next`, those of a tilted plane in workpiece coordinates.
 pub struct InWorkpiece<'a, S: ?Sized> {

@@ -8,6 +8,7 @@ use crate::ir::contour::{Ctx, CtxRef, Path};
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::compensation::Compensation;
+use crate::sema::common::hidden::By;
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
@@ -205,6 +206,10 @@ impl State {
     /// These axes were moved in machine coordinates: forgets every programmed coordinate that depends on them.
     pub fn moved_by_machine(&mut self, end: &Pos, loc: Loc) {
         self.position.moved_by_machine(end, &self.ctx.frame, loc);
+        if !self.tilt.is_upright() {
+            // Each axis of the machine moves several of the plane.
+            self.position.forget_tip(AxisSet::MAIN, By::Machine(None), loc);
+        }
         self.rotary.forget_turns(end.known());
         self.polar.forget_last();
     }
