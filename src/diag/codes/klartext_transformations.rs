@@ -284,15 +284,9 @@ machine, so numbers for them cannot be held against the plane." {
     axes_do_not_stand_in_plane()
         "this block moves in a tilted plane in which the rotary axes are not known to stand"
         help "let the plane turn them (TURN FMAX), or write `L A+Q120 C+Q122 R0 FMAX` with the axes of the machine before it";
-    axes_stand_as_plane_had_them()
-        "this block moves although the rotary axes still stand as the tilted plane had them"
-        help "turn them back before it: `PLANE RESET TURN FMAX`, or each of them to 0";
     which_axes_turned_is_not_known()
-        "the tilted plane turned rotary axes that the program does not name, so this block may not turn all of them back"
+        "after the tilted plane, a block of rotary axes has to take those to 0 that the program named in the plane"
         help "write `PLANE RESET TURN FMAX`";
-    rotary_axis_moves_in_tilted_plane()
-        "a rotary axis moves to a number in a tilted plane: whether the tool stands in the plane then is known at the machine"
-        help "write `L A+Q120 C+Q122 R0 FMAX` with the axes of the machine";
     plane_about_z_needs_turn()
         "the plane is turned about Z alone while the rotary axes stay: where they stand then is not known"
         help "write TURN, or end the plane by PLANE RESET before it";

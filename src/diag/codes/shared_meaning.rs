@@ -538,11 +538,12 @@ meant." {
 
 P2042 Error "tool-askew" "tool does not stand along its axis"
 "The tilted plane was switched off, and the rotary axes stay where it put them: the tool stands askew to the workpiece, and where the coordinates of the program lead it \
-depends on the machine. Retract in machine coordinates and turn the rotary axes back: by the function that tilted the plane, or by their own words, each axis that the program \
-moves to 0." {
+depends on the machine. Retract in machine coordinates and turn the rotary axes back: by the function that tilted the plane, or by words of their own, each of them \
+to 0 (which ones those are says `[machine] tilt_axes`; in Klartext the block that turned them)." {
     plane_is_off_and_rotary_axes_stay(line)
         "the tilted plane was switched off in line {line}, and the rotary axes still stand as in it"
-        help "turn them back before this block: to an upright plane by the function that tilted it, or by their own words to 0";
+        help "turn them back before this block: to an upright plane by the function that tilted it, or by their own words to 0, each of \
+        `[machine] tilt_axes`";
 }
 
 P2043 Error "rotary-axis-in-plane" "rotary axis moves while the plane is tilted"

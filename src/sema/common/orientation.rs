@@ -50,15 +50,17 @@ impl Orientation {
     }
 
     /// A word of the program takes a rotary axis there, without frame, or nobody knows where. Behind a plane that is off the tool
-    /// stands upright again once each axis that the program moves so was taken to 0.
-    pub fn rotary_move(&mut self, axis: Axis, to: Option<f64>) {
+    /// stands upright again once each of `tilting`, the axes that turn tool or part into planes, was taken to 0; where nobody said
+    /// which these are, never.
+    pub fn rotary_move(&mut self, axis: Axis, to: Option<f64>, tilting: AxisSet) {
         self.moved.insert(axis);
         if to.is_some_and(|to| to.abs() < AT_ZERO) {
             self.at_zero.insert(axis);
         } else {
             self.at_zero.remove(axis);
         }
-        if matches!(self.stands, Stands::Askew(_)) && !self.is_turned_by_words() {
+        let all = !tilting.is_empty() && tilting.without(self.at_zero).is_empty();
+        if matches!(self.stands, Stands::Askew(_)) && all && !self.is_turned_by_words() {
             self.stands = Stands::Upright;
         }
     }
@@ -97,6 +99,10 @@ impl Orientation {
 mod tests {
     use super::*;
 
+    fn both() -> AxisSet {
+        [Axis::A, Axis::C].into_iter().collect()
+    }
+
     fn here() -> Loc {
         Loc { file: crate::text::FileId(0), line: 7, span: crate::text::Span::default() }
     }
@@ -122,29 +128,40 @@ mod tests {
     #[test]
     fn all_rotary_axes_of_the_program_have_to_stand_at_zero() {
         let mut tool = Orientation::default();
-        tool.rotary_move(Axis::A, Some(30.0));
-        tool.rotary_move(Axis::C, Some(0.0));
+        tool.rotary_move(Axis::A, Some(30.0), both());
+        tool.rotary_move(Axis::C, Some(0.0), both());
         assert!(tool.may_move() && tool.is_turned_by_words());
         tool.turn_into_plane();
         tool.leave_plane(here());
-        tool.rotary_move(Axis::C, Some(0.0));
+        tool.rotary_move(Axis::C, Some(0.0), both());
         assert!(!tool.may_move(), "A turned before the plane");
-        tool.rotary_move(Axis::A, None);
+        tool.rotary_move(Axis::A, None, both());
         assert!(!tool.may_move(), "an increment says no place");
-        tool.rotary_move(Axis::A, Some(360.0));
+        tool.rotary_move(Axis::A, Some(360.0), both());
         assert!(!tool.may_move(), "a turn may be more than the axis counts");
-        tool.rotary_move(Axis::A, Some(0.0));
+        tool.rotary_move(Axis::A, Some(0.0), both());
         assert!(tool.may_move() && tool.is_upright());
+    }
+
+    #[test]
+    fn axes_that_nobody_named_are_not_known_to_be_back() {
+        let mut tool = Orientation::default();
+        tool.turn_into_plane();
+        tool.leave_plane(here());
+        for axis in [Axis::A, Axis::C] {
+            tool.rotary_move(axis, Some(0.0), AxisSet::EMPTY);
+        }
+        assert!(!tool.may_move());
     }
 
     #[test]
     fn where_rotary_axes_stood_before_a_plane_says_nothing_behind_it() {
         let mut tool = Orientation::default();
-        tool.rotary_move(Axis::B, Some(0.0));
+        tool.rotary_move(Axis::A, Some(0.0), AxisSet::of(Axis::A));
         tool.turn_into_plane();
         tool.leave_plane(here());
         assert!(!tool.may_move());
-        tool.rotary_move(Axis::B, Some(-0.0));
+        tool.rotary_move(Axis::A, Some(-0.0), AxisSet::of(Axis::A));
         assert!(tool.may_move());
     }
 }

@@ -184,6 +184,10 @@ impl Run<'_> {
     fn line_to(&mut self, w: &Words, end: Pos) -> Outcome {
         let feed = self.st.feed.of_move(&self.core, w)?;
         let end = self.check_axes(w, end, feed.is_some())?;
+        if end.known().is_empty() {
+            // It only turned the axes back out of a plane.
+            return Ok(());
+        }
         let feed = self.st.feed.of_rotary(feed, &end, &self.st.position, self.core.unit());
         let feed = feed.map(|feed| self.view().plunged(w, feed, &end, None));
         self.st.polar.forget_last_of(end.known());
@@ -197,7 +201,7 @@ impl Run<'_> {
         let end = if w.has_m(92) { self.view().by_builders_datum(w)? } else { w.axes };
         self.st.frames.no_rotary_move_under_turn(&self.core, end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
-            if let Err(fault) = self.st.tilt.admits_rotary() {
+            if let Err(fault) = self.st.tilt.admits_rotary(axis) {
                 return self.core.refuse(w.axes_span, fault);
             }
             self.st.rotary.check_tip(&self.core, &self.st.position, axis, None, w.axes_span)?;

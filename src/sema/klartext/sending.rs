@@ -174,6 +174,9 @@ impl Run<'_> {
 
     #[cold]
     fn rare_axes(&mut self, w: &Words, mut end: Pos, cuts: bool) -> Outcome<Pos> {
+        if self.st.tilt.is_left() && end.known().iter().any(|axis| axis.is_rotary()) {
+            return self.turns_back_by_numbers(w, end);
+        }
         self.st.frames.no_rotary_move_under_turn(&self.core, end.known(), w.axes_span)?;
         for axis in end.known().without(AxisSet::MAIN).iter() {
             if !axis.is_rotary() {
@@ -185,7 +188,7 @@ impl Run<'_> {
             if self.st.feed.at_surface && cuts {
                 return self.core.refuse(w.axes_span, codes::K2509::moves_at_feed_under_m116(&axis.letter()));
             }
-            if let Err(fault) = self.st.tilt.admits_rotary() {
+            if let Err(fault) = self.st.tilt.admits_rotary(axis) {
                 return self.core.refuse(w.axes_span, fault);
             }
             let (rotary, position, span) = (&mut self.st.rotary, &self.st.position, w.axes_span);
@@ -198,7 +201,6 @@ impl Run<'_> {
             }
             let target = rotary.target(&self.core, position, axis, end.get(axis).unwrap_or(0.0), span);
             rotary.check_tip(&self.core, position, axis, Some(target), span)?;
-            self.st.tilt.rotary_at(axis, target);
             end.set(axis, target);
         }
         Ok(end)

@@ -9,18 +9,19 @@ use crate::diag::{Fault, codes};
 use crate::geo::{Deg, Vec2, tolerance};
 use crate::ir::contour::{Coords, Move};
 use crate::ir::tilt::Solution;
-use crate::ir::{Function, Tilt, Tilting};
+use crate::ir::{Function, Pos, Tilt, Tilting};
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, PathFn};
 use crate::sema::common::hidden::By;
 use crate::sema::run::Where;
+use crate::text::Loc;
 
 use super::known::Known;
 use super::path::Motion;
 use super::transformation::Transformation;
 use super::vars::Slot;
-use super::words::Admits;
+use super::words::{Admits, Words};
 use super::{Outcome, Reported, Run};
 
 /// How the tool stands against the workpiece.
@@ -32,8 +33,8 @@ enum Stand {
     /// A plane is defined, and the rotary axes are not known to stand in it.
     Waits(Tilt),
     In(Tilt),
-    /// The plane has ended, and the rotary axes stand as it had them.
-    Left,
+    /// The block at this place has ended the plane, and the rotary axes stand as it had them.
+    Left(Loc),
 }
 
 /// The tilted plane, and what was in force before it.
@@ -51,6 +52,11 @@ pub(super) struct TiltState {
 }
 
 impl TiltState {
+    /// Has a plane ended under axes that stay?
+    pub fn is_left(&self) -> bool {
+        matches!(self.stand, Stand::Left(_))
+    }
+
     /// Is nothing tilted, and do the rotary axes stand as at the start?
     pub fn is_upright(&self) -> bool {
         self.stand == Stand::Upright
@@ -60,46 +66,35 @@ impl TiltState {
     pub fn plane(&self) -> Option<&Tilt> {
         match &self.stand {
             Stand::Waits(tilt) | Stand::In(tilt) => Some(tilt),
-            Stand::Upright | Stand::Left => None,
+            Stand::Upright | Stand::Left(_) => None,
         }
     }
 
     /// Does a block of Q120 to Q122 turn the axes into the plane now, or back?
     fn turns_by_name(&self) -> bool {
-        matches!(self.stand, Stand::Waits(_) | Stand::Left)
+        matches!(self.stand, Stand::Waits(_) | Stand::Left(_))
     }
 
     /// May no main axis move by coordinates of the program?
     #[inline]
     pub fn bars(&self) -> bool {
-        self.open_shift || matches!(self.stand, Stand::Waits(_) | Stand::Left)
+        self.open_shift || matches!(self.stand, Stand::Waits(_) | Stand::Left(_))
     }
 
     fn why(&self) -> Fault {
         match self.stand {
             Stand::Waits(_) => codes::K2857::axes_do_not_stand_in_plane(),
-            Stand::Left => codes::K2857::axes_stand_as_plane_had_them(),
+            Stand::Left(since) => codes::P2042::plane_is_off_and_rotary_axes_stay(&since.line),
             Stand::Upright | Stand::In(_) => codes::K2852::shift_and_plane_are_not_both_reset(),
         }
     }
 
-    /// The program moves rotary axes by numbers, behind a plane that ended: at zero they stand as at the start.
-    pub fn rotary_at(&mut self, axis: Axis, target: f64) {
-        if self.stand == Stand::Left && target % 360.0 == 0.0 && self.turned.contains(axis) {
-            self.turned = self.turned.without(AxisSet::of(axis));
-            if self.turned.is_empty() {
-                self.stand = Stand::Upright;
-            }
-        }
-    }
-
     /// May the program move a rotary axis by a number?
-    pub fn admits_rotary(&self) -> Result<(), Fault> {
+    pub fn admits_rotary(&self, axis: Axis) -> Result<(), Fault> {
         match self.stand {
             Stand::Upright => Ok(()),
-            Stand::Left if !self.turned.is_empty() => Ok(()),
-            Stand::Left => Err(codes::K2857::which_axes_turned_is_not_known()),
-            Stand::Waits(_) | Stand::In(_) => Err(codes::K2857::rotary_axis_moves_in_tilted_plane()),
+            Stand::Left(_) => Err(codes::K2857::which_axes_turned_is_not_known()),
+            Stand::Waits(_) | Stand::In(_) => Err(codes::P2043::rotary_axis_moves_in_tilted_plane(&axis.letter())),
         }
     }
 
@@ -183,11 +178,11 @@ impl Run<'_> {
             self.st.tilt.open_shift = false;
         }
         next.turn = Deg(turn);
-        let was_in = matches!(self.st.tilt.stand, Stand::In(_) | Stand::Left);
+        let was_in = matches!(self.st.tilt.stand, Stand::In(_) | Stand::Left(_));
         self.st.tilt.said = false;
         self.st.tilt.stand = match positioning {
             Positioning::Turn => Stand::Upright,
-            Positioning::Stay if was_in => Stand::Left,
+            Positioning::Stay if was_in => Stand::Left(self.core.here.origin.loc),
             Positioning::Stay => Stand::Upright,
         };
         match positioning {
@@ -288,7 +283,7 @@ impl Run<'_> {
         }
         self.contours.roughed = Known::Nothing;
         match self.st.tilt.stand {
-            Stand::Left => {
+            Stand::Left(_) => {
                 self.turn_back();
                 self.leave_plane();
             }
@@ -298,6 +293,24 @@ impl Run<'_> {
             }
         }
         Ok(true)
+    }
+
+    /// `L A+0 C+0 R0 FMAX` behind a plane that ended: where each axis that the program named in the plane has gone back to 0, they all
+    /// turn back. What is left of the end point is given back.
+    pub(super) fn turns_back_by_numbers(&mut self, w: &Words, mut end: Pos) -> Outcome<Pos> {
+        for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
+            let at_zero = end.get(axis).is_some_and(|target| target % 360.0 == 0.0) && !w.incremental.contains(axis);
+            if !at_zero || !self.st.tilt.turned.contains(axis) {
+                return self.core.refuse(w.axes_span, codes::K2857::which_axes_turned_is_not_known());
+            }
+            self.st.tilt.turned = self.st.tilt.turned.without(AxisSet::of(axis));
+            end.forget(axis);
+        }
+        if self.st.tilt.turned.is_empty() {
+            self.turn_back();
+            self.leave_plane();
+        }
+        Ok(end)
     }
 
     /// Is a move refused for how the tool stands? Says so once.

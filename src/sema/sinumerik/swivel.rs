@@ -337,9 +337,10 @@ impl Channel<'_> {
             self.lose_all();
             return Err(super::Reported);
         }
+        let tilting = self.core.job.settings.machine.tilt_axes;
         let places = if coords == Coords::Machine { *end } else { self.st.ctx.frame.apply(end) };
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
-            self.st.orientation.rotary_move(axis, places.get(axis));
+            self.st.orientation.rotary_move(axis, places.get(axis), tilting);
         }
         Ok(())
     }
