@@ -542,8 +542,8 @@ depends on the machine. Retract in machine coordinates and turn the rotary axes 
 to 0 (which ones those are says `[machine] tilt_axes`; in Klartext the block that turned them)." {
     plane_is_off_and_rotary_axes_stay(line)
         "the tilted plane was switched off in line {line}, and the rotary axes still stand as in it"
-        help "turn them back before this block: to an upright plane by the function that tilted it, or by their own words to 0, each of \
-        `[machine] tilt_axes`";
+        help "turn them back before this block: to an upright plane by the function that tilted it, or by their own words to 0, if the \
+        configuration names them all";
 }
 
 P2043 Error "rotary-axis-in-plane" "rotary axis moves while the plane is tilted"
