@@ -182,7 +182,8 @@ impl State {
     /// What has to hold where the plane or the shift changes.
     fn may_swivel(&self, core: &Core<'_>, swivel: &Swivel, act: &Act, span: Span) -> Made {
         let changes = !matches!(act, Act::Shift(_));
-        let shifts = changes || *act.frame() != FrameValue::default() || *self.frames.swivelled() != FrameValue::default();
+        let shifts =
+            changes || *act.frame() != FrameValue::default() || *self.frames.swivelled() != FrameValue::default();
         let leaving = changes && self.compensation.is_leaving();
         if leaving || self.side() != Side::None && shifts {
             return refused(span, codes::S2080::frame_changes_while_radius_compensation());
@@ -227,7 +228,8 @@ impl State {
         if self.frames.settable().is_some_and(|offset| !offset.is_shift()) {
             return refused(span, codes::S9006::cycle800_swivels_turned_offset());
         }
-        let diameters = core.job.settings.machine.diameter_axis == Some(Axis::X) && self.diameter_mode() != Diameter::Off;
+        let diameters =
+            core.job.settings.machine.diameter_axis == Some(Axis::X) && self.diameter_mode() != Diameter::Off;
         if diameters && plane.axes()[(0, 0)] != 1.0 {
             return refused(span, codes::S9006::cycle800_swivels_diameters());
         }
@@ -344,3 +346,6 @@ impl Channel<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;

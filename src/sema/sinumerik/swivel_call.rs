@@ -267,8 +267,7 @@ mod tests {
     fn chain_of_a_published_program() {
         let first =
             call([0.0, 0.0, 57.0, 0.0, 0.0, 50.0, -15.0, 0.0, 0.0, 50.0, 51.76, 0.0, 1.0, 0.0, 1.0]).unwrap().plane;
-        let second =
-            call([0.0, 1.0, 54.0, 35.0, -24.0, 0.0, 7.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0]).unwrap();
+        let second = call([0.0, 1.0, 54.0, 35.0, -24.0, 0.0, 7.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0]).unwrap();
         assert!(second.additive);
         is(first.origin(), [50.0, 49.9963, 36.6035], 5e-5);
         let chained = first.chain(&second.plane);
