@@ -222,7 +222,7 @@ impl State {
             return refused(*place, fault.clone());
         }
         let in_force = self.plane() == crate::geo::Plane::Xy;
-        if !swivel.first_plane.unwrap_or(in_force) || self.machine.geometry_axes != [Axis::X, Axis::Y, Axis::Z] {
+        if !in_force || swivel.first_plane == Some(false) || self.machine.geometry_axes != [Axis::X, Axis::Y, Axis::Z] {
             return refused(span, codes::S9006::cycle800_swivels_in_another_plane());
         }
         if self.frames.settable().is_some_and(|offset| !offset.is_shift()) {

@@ -61,7 +61,7 @@ pub(super) struct Swivel {
     pub record: String,
     /// `_ST` wants the tip to follow.
     pub follows: Option<Wrong>,
-    /// The plane of G17 is meant, or the one in force.
+    /// Is it the plane of G17 that is meant? `None` for the one in force.
     pub first_plane: Option<bool>,
     /// `_ST` keeps another direction than `_DIR`.
     pub contradiction: Option<Wrong>,

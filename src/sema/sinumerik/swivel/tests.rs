@@ -38,8 +38,8 @@ impl Sink for Recorder {
 
     fn function(&mut self, function: &Function, ctx: &CtxRef, _: &Origin) {
         if let Function::Tilt(tilting) = function {
-            assert!(ctx.frame.is_identity(), "nothing is programmed in the plane yet");
             self.plane = tilting.plane().copied();
+            assert!(self.plane.is_none() || ctx.frame.is_identity(), "nothing is programmed in the plane yet");
             self.at = Pos::UNKNOWN;
             self.tiltings.push(**tilting);
         }
