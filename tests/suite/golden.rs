@@ -90,7 +90,7 @@ books! {
     same_part = "same_part":
         lathe mill;
     sinumerik = "sinumerik":
-        angles axes calls circles contour_cycles contours corners diameter drilling edges examples feeds flow frames functions lexical machine_coordinates offsets output path_control patterns polar rigid_taps rotary settings tap_functions tapping threads tools transformations undercut_corners undercut_cycles units variables;
+        angles axes calls circles contour_cycles contours corners diameter drilling edges examples feeds flow frames functions lexical machine_coordinates offsets output path_control patterns polar rigid_taps rotary settings swivel tap_functions tapping threads tools transformations undercut_corners undercut_cycles units variables;
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_beside = "sinumerik/beside":

@@ -6,6 +6,7 @@
 
 mod angle_lines;
 mod archive;
+mod askew;
 mod assign;
 mod axis_names;
 mod axis_order;

@@ -12,7 +12,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::By;
 use crate::sema::run::Where;
 use crate::sema::run::refusal::{Made, refused};
-use crate::text::Span;
+use crate::text::{Loc, Span};
 
 use super::diameter::Diameter;
 use super::frames::FrameValue;
@@ -77,40 +77,18 @@ impl Channel<'_> {
         }
         self.swivel_retracts(&swivel, span)?;
         self.pending_must_be_done(span)?;
-        self.carry_out_swivel(act, &swivel, span)
-    }
-
-    fn carry_out_swivel(&mut self, act: Act, swivel: &Swivel, span: Span) -> Outcome {
-        let loc = self.core.here.origin.loc;
         if let Act::Shift(shift) = act {
-            self.core.say_once(span, said_of_shift(&shift, swivel));
+            self.core.say_once(span, said_of_shift(&shift, &swivel));
             self.shift_workpiece(shift);
             return Ok(());
         }
         // Rotary axes turn away from where a call or a probe left the tool.
         self.leaves_touched(AxisSet::of(Axis::C), true)?;
         self.shift_workpiece(act.frame().clone());
-        let tilting = match act {
-            Act::Into(_, solution) => {
-                self.st.orientation.turn_into_plane();
-                let plane = self.st.frames.plane();
-                Tilting::Into(Tilt { axes: *plane.axes(), origin: plane.origin(), solution })
-            }
-            Act::Back(_, solution) => {
-                self.st.orientation.turn_back();
-                Tilting::Back(solution)
-            }
-            Act::Off(_) | Act::Shift(_) => {
-                self.st.orientation.leave_plane(loc);
-                Tilting::Off
-            }
-        };
+        let tilting = self.st.tilt(&act, self.core.here.origin.loc);
         if tilting.turns() && !swivel.record.is_empty() {
-            self.st.swivel_record.clone_from(&swivel.record);
+            self.st.swivel_record = swivel.record;
         }
-        self.st.heading = Heading::None;
-        self.st.position.forget(AxisSet::ALL);
-        self.st.position.hide(AxisSet::ALL, By::Tilt, loc);
         self.function(Function::Tilt(Box::new(tilting)));
         Ok(())
     }
@@ -134,6 +112,28 @@ fn said_of_shift(shift: &FrameValue, swivel: &Swivel) -> crate::diag::Fault {
 }
 
 impl State {
+    /// The plane is another one: no position of before holds.
+    fn tilt(&mut self, act: &Act, loc: Loc) -> Tilting {
+        self.heading = Heading::None;
+        self.position.forget(AxisSet::ALL);
+        self.position.hide(AxisSet::ALL, By::Tilt, loc);
+        match act {
+            Act::Into(_, solution) => {
+                self.orientation.turn_into_plane();
+                let plane = self.frames.plane();
+                Tilting::Into(Tilt { axes: *plane.axes(), origin: plane.origin(), solution: *solution })
+            }
+            Act::Back(_, solution) => {
+                self.orientation.turn_back();
+                Tilting::Back(*solution)
+            }
+            Act::Off(_) | Act::Shift(_) => {
+                self.orientation.leave_plane(loc);
+                Tilting::Off
+            }
+        }
+    }
+
     /// What the call does from the plane in force.
     fn act_of(&self, swivel: &Swivel, span: Span) -> Made<Act> {
         let on = self.frames.is_tilted();
@@ -182,7 +182,8 @@ impl State {
     /// What has to hold where the plane or the shift changes.
     fn may_swivel(&self, core: &Core<'_>, swivel: &Swivel, act: &Act, span: Span) -> Made {
         let changes = !matches!(act, Act::Shift(_));
-        let shifts = changes || *act.frame() != FrameValue::default() || *self.frames.swivelled() != FrameValue::default();
+        let shifts =
+            changes || *act.frame() != FrameValue::default() || *self.frames.swivelled() != FrameValue::default();
         let leaving = changes && self.compensation.is_leaving();
         if leaving || self.side() != Side::None && shifts {
             return refused(span, codes::S2080::frame_changes_while_radius_compensation());
@@ -221,13 +222,14 @@ impl State {
             return refused(*place, fault.clone());
         }
         let in_force = self.plane() == crate::geo::Plane::Xy;
-        if !swivel.first_plane.unwrap_or(in_force) || self.machine.geometry_axes != [Axis::X, Axis::Y, Axis::Z] {
+        if !in_force || swivel.first_plane == Some(false) || self.machine.geometry_axes != [Axis::X, Axis::Y, Axis::Z] {
             return refused(span, codes::S9006::cycle800_swivels_in_another_plane());
         }
         if self.frames.settable().is_some_and(|offset| !offset.is_shift()) {
             return refused(span, codes::S9006::cycle800_swivels_turned_offset());
         }
-        let diameters = core.job.settings.machine.diameter_axis == Some(Axis::X) && self.diameter_mode() != Diameter::Off;
+        let diameters =
+            core.job.settings.machine.diameter_axis == Some(Axis::X) && self.diameter_mode() != Diameter::Off;
         if diameters && plane.axes()[(0, 0)] != 1.0 {
             return refused(span, codes::S9006::cycle800_swivels_diameters());
         }
@@ -308,40 +310,5 @@ impl Channel<'_> {
     }
 }
 
-impl Channel<'_> {
-    /// A move goes to `end`: main axes move by coordinates of the program only where the tool does not stand askew, and no word
-    /// turns it out of a tilted plane.
-    #[inline]
-    pub(super) fn stands_right(&mut self, end: &Pos, coords: Coords) -> Outcome {
-        let axes = end.known();
-        if self.capture.is_some() || axes.without(AxisSet::MAIN).is_empty() && self.st.orientation.may_move() {
-            return Ok(());
-        }
-        self.turns(end, coords)
-    }
-
-    #[cold]
-    fn turns(&mut self, end: &Pos, coords: Coords) -> Outcome {
-        let main = coords == Coords::Frame && !end.known().common(AxisSet::MAIN).is_empty();
-        let since = self.st.orientation.askew_since().filter(|_| main);
-        let mut rotary = end.known().iter().filter(|axis| axis.is_rotary());
-        let fault = if let Some(since) = since {
-            Some(codes::P2042::plane_is_off_and_rotary_axes_stay(&since.line))
-        } else if self.st.frames.is_tilted() {
-            rotary.next().map(|axis| codes::P2043::rotary_axis_moves_in_tilted_plane(&axis.letter()))
-        } else {
-            None
-        };
-        if let Some(fault) = fault {
-            self.core.say(Where::Block, fault);
-            self.lose_all();
-            return Err(super::Reported);
-        }
-        let tilting = self.core.job.settings.machine.tilt_axes;
-        let places = if coords == Coords::Machine { *end } else { self.st.ctx.frame.apply(end) };
-        for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
-            self.st.orientation.rotary_move(axis, places.get(axis), tilting);
-        }
-        Ok(())
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -61,7 +61,7 @@ pub(super) struct Swivel {
     pub record: String,
     /// `_ST` wants the tip to follow.
     pub follows: Option<Wrong>,
-    /// The plane of G17 is meant, or the one in force.
+    /// Is it the plane of G17 that is meant? `None` for the one in force.
     pub first_plane: Option<bool>,
     /// `_ST` keeps another direction than `_DIR`.
     pub contradiction: Option<Wrong>,
@@ -267,8 +267,7 @@ mod tests {
     fn chain_of_a_published_program() {
         let first =
             call([0.0, 0.0, 57.0, 0.0, 0.0, 50.0, -15.0, 0.0, 0.0, 50.0, 51.76, 0.0, 1.0, 0.0, 1.0]).unwrap().plane;
-        let second =
-            call([0.0, 1.0, 54.0, 35.0, -24.0, 0.0, 7.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0]).unwrap();
+        let second = call([0.0, 1.0, 54.0, 35.0, -24.0, 0.0, 7.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0]).unwrap();
         assert!(second.additive);
         is(first.origin(), [50.0, 49.9963, 36.6035], 5e-5);
         let chained = first.chain(&second.plane);
