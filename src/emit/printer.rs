@@ -17,6 +17,7 @@ mod refusals;
 mod straight;
 mod taps;
 mod tilt;
+mod told_plane;
 pub(crate) mod winding;
 
 use std::io;
@@ -79,7 +80,7 @@ pub struct Printer<'a> {
     /// What the target was told of its spindle.
     stated: SpindleStated,
     machine: &'a Machine,
-    tilting: tilt::State,
+    tilting: told_plane::ToldPlane,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -172,7 +173,7 @@ impl<'a> Printer<'a> {
             running: Running::default(),
             stated: SpindleStated::default(),
             machine: &settings.machine,
-            tilting: tilt::State::default(),
+            tilting: told_plane::ToldPlane::default(),
         };
         // G96 outlives the program that programmed it: the first speed of a lathe says G97.
         printer.modal.cutting_speed = lathe;

@@ -27,9 +27,15 @@ pub enum Solution {
     #[default]
     Control,
     /// The axis next to the tool gets a positive angle, or a negative one (SEQ).
-    Primary { positive: bool },
+    Primary {
+        /// It is the positive one.
+        positive: bool,
+    },
     /// The reference axis of the swivel record gets the greater value, or the smaller one (_DIR).
-    Reference { greater: bool },
+    Reference {
+        /// It is the greater one.
+        greater: bool,
+    },
 }
 
 /// What becomes of the working plane. Behind each of them no main axis is known.

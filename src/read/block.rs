@@ -3,7 +3,7 @@
 use super::Fault;
 use super::act::{Cutter, FeedKind, Plane};
 use super::number::{SCALE, decimal};
-use super::rules::{G, Rules, Words};
+use super::rules::{G, Rules, TiltWord, Words};
 
 /// Moves of taps among the numbers of [`Modes::motion`](super::Modes).
 pub(super) const TAP_RETURN: u8 = 133;
@@ -61,17 +61,6 @@ pub(super) struct Block {
     m_count: usize,
     /// Groups of G functions that were met, a bit each: two of one group contradict each other.
     groups: u32,
-}
-
-/// What a word says of a tilted plane.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum TiltWord {
-    /// G68.2: how it lies.
-    Stated,
-    /// G53.1: the axes turn.
-    Turns,
-    /// G69
-    Off,
 }
 
 /// What a word says of corners.

@@ -1,6 +1,5 @@
 //! What differs between the receivers: which words they know, and what those mean.
 
-use super::block::TiltWord;
 use super::number::SCALE;
 
 /// How a receiver reads.
@@ -300,6 +299,17 @@ pub(super) enum G {
     OffsetByNumber(u8, u8),
     /// Says something of a tilted plane.
     Tilt(TiltWord),
+}
+
+/// What a word says of a tilted plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum TiltWord {
+    /// G68.2: how it lies.
+    Stated,
+    /// G53.1: the axes turn.
+    Turns,
+    /// G69
+    Off,
 }
 
 /// Modes that no word states.

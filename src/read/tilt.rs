@@ -2,9 +2,10 @@
 //! dialog behind a shift.
 
 use super::act::{Act, Plane, Tilting};
-use super::block::{Block, TiltWord};
+use super::block::Block;
 use super::dialog::{Words as Said, whole};
 use super::number::{SCALE, decimal};
+use super::rules::TiltWord;
 use super::rules::{Rules, Words};
 use super::{Fault, Reader};
 

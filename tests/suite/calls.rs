@@ -8,13 +8,13 @@ use super::layering::sources;
 
 /// Folders whose files may call each other in sets larger than [`MOST`], with the size of the largest set. A smaller one is
 /// written down here.
-const LARGER: &[(&str, usize)] = &[("emit", 11), ("sema/sinumerik", 8)];
+const LARGER: &[(&str, usize)] = &[("emit", 12), ("sema/sinumerik", 8)];
 
 /// Most files that call each other in one set.
 const MOST: usize = 6;
 
 /// Most methods of the objects that execute a dialect, of all dialects together. Fewer are written down here.
-const METHODS: usize = 476;
+const METHODS: usize = 493;
 
 /// The files below a folder, as paths below `src`, with their code.
 fn files(folder: &str) -> BTreeMap<String, String> {

@@ -12,36 +12,12 @@ use crate::target::{EulerWords, Length, PlaneWords, SwivelWords, TiltWords};
 
 use super::super::number::Places;
 use super::Printer;
+use super::told_plane::Known;
 
 /// What a printed plane may differ by from the meant one, as part of a direction: 0.01 mm at a metre.
 const ANOTHER: f64 = 1e-5;
 /// Cosine from which an axis is parallel to the tool axis.
 const PARALLEL: f64 = 1.0 - 1e-12;
-
-/// What the target was told of its working plane.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct State {
-    plane: Known,
-    /// A shift of the zero point is in force.
-    shifted: bool,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-enum Known {
-    #[default]
-    None,
-    Tilted,
-    /// It ended before a move in machine coordinates, although the program has it still.
-    Left,
-}
-
-impl State {
-    /// Has the plane ended before the program ends it?
-    #[inline(always)]
-    pub fn is_left(self) -> bool {
-        self.plane == Known::Left
-    }
-}
 
 impl Printer<'_> {
     /// The working plane is tilted, or is so no more.

@@ -31,6 +31,7 @@ impl Tilted {
         (!is_own(&tilted.tilt)).then_some(tilted)
     }
 
+    /// Of any plane, also of that of the workpiece.
     pub(super) fn of_any(tilt: &Tilt) -> Tilted {
         let axes = tilt.axes.map(|v| if (v - v.round()).abs() <= SQUARE { v.round() } else { v });
         Tilted { tilt: Tilt { axes, ..*tilt }, at: Pos::UNKNOWN, told: AxisSet::EMPTY }

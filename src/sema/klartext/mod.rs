@@ -63,6 +63,7 @@ mod survey;
 mod system;
 mod text_functions;
 mod tilt;
+mod tilt_state;
 mod tool;
 mod tool_table;
 mod transformation;

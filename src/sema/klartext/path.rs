@@ -6,13 +6,16 @@ use crate::diag::codes;
 use crate::geo::Point2;
 use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
+use crate::lexer::klartext::Value;
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
 use crate::sema::run::Where;
 
 use super::compensation::round_border;
 use super::contour::OwnCorner;
+use super::known::Known;
 use super::state::CornerMade;
+use super::tilt_state::{Stand, is_angle_of};
 use super::words::{Admits, Comp, FeedWord, Words};
 use super::{Outcome, Reported, Run};
 
@@ -75,6 +78,48 @@ impl Run<'_> {
         }
         self.st.lose(axes);
         self.st.lost(&mut self.core);
+    }
+
+    /// `L A+Q120 C+Q122 R0 FMAX`: the rotary axes go where the plane that STAY defined wants them. False for another block.
+    fn turns_into_plane(&mut self, block: &Block) -> Outcome<bool> {
+        if !self.st.tilt.turns_by_name() {
+            return Ok(false);
+        }
+        let mut axes = AxisSet::EMPTY;
+        for word in &block.words {
+            match (word.addr, word.value) {
+                (Addr::Axis { axis, incremental: false }, Value::Param { negative: false, q })
+                    if is_angle_of(axis, q) =>
+                {
+                    axes.insert(axis);
+                }
+                (Addr::Axis { .. }, _) => return Ok(false),
+                _ => {}
+            }
+        }
+        if axes.is_empty() {
+            return Ok(false);
+        }
+        // The rest of the block acts as it does without its axes.
+        let mut rest = block.clone();
+        rest.words.retain(|word| !matches!(word.addr, Addr::Axis { .. }));
+        let words = self.gather(&rest, "L", Admits::PATH)?;
+        self.run_motion(Motion::Programmed(PathFn::Line), &words)?;
+        if self.core.has_ended() {
+            return Err(Reported);
+        }
+        self.contours.roughed = Known::Nothing;
+        match self.st.tilt.stand {
+            Stand::Left(_) => {
+                self.turn_back();
+                self.leave_plane();
+            }
+            _ => {
+                self.st.tilt.turned = axes;
+                self.arrive();
+            }
+        }
+        Ok(true)
     }
 
     pub(super) fn run_motion(&mut self, motion: Motion, w: &Words) -> Outcome {

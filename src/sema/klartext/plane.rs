@@ -468,21 +468,6 @@ impl Run<'_> {
         }
         Ok(())
     }
-
-    /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
-    pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
-        if on && !self.st.tilt.is_upright() {
-            return self.core.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
-        }
-        if on && !self.st.rotary.stands_upright(&self.st.position, &self.st.ctx.frame) {
-            return self.core.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
-        }
-        if on {
-            self.st.refuse_compensated(&mut self.core, "M128 begins");
-        }
-        self.st.rotary.follows_tip = on;
-        Ok(())
-    }
 }
 
 #[cfg(test)]

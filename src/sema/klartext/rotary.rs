@@ -49,6 +49,12 @@ impl RotaryState {
         self.forget_turns(axes);
     }
 
+    /// A plane has ended, and they turned back.
+    pub fn stand_at_zero(&mut self) {
+        self.moved = AxisSet::EMPTY;
+        self.offset = [0.0; 3];
+    }
+
     /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move. False if none was beyond.
     pub fn reduce(&mut self, position: &Position, axes: AxisSet) -> bool {
         let mut reduced = false;

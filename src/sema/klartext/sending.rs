@@ -3,8 +3,10 @@
 use crate::diag::{Label, codes};
 use crate::geo::Point2;
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
-use crate::ir::{Function, Pos, Side};
+use crate::ir::tilt::Solution;
+use crate::ir::{Function, Pos, Side, Tilting};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::common::hidden::By;
 use crate::sema::common::plane::plane_axes;
 
 use super::active_tool::Change;
@@ -13,6 +15,7 @@ use super::compensation::round_border;
 use super::contour::LastMove;
 use super::known::Known;
 use super::state::{CornerMade, State};
+use super::tilt_state::Stand;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
@@ -204,6 +207,70 @@ impl Run<'_> {
             end.set(axis, target);
         }
         Ok(end)
+    }
+}
+
+impl Run<'_> {
+    /// The rotary axes go back to where the tool stands along Z of the workpiece.
+    pub(super) fn turn_back(&mut self) {
+        self.st.tilt.stand = Stand::Upright;
+        self.st.tilt.turned = AxisSet::EMPTY;
+        self.st.rotary.stand_at_zero();
+        self.function(Function::Tilt(Box::new(Tilting::Back(Solution::Control))));
+    }
+
+    /// The rotary axes stand in the plane that was defined.
+    pub(super) fn arrive(&mut self) {
+        if let Stand::Waits(tilt) = self.st.tilt.stand {
+            self.st.tilt.stand = Stand::In(tilt);
+            self.function(Function::Tilt(Box::new(Tilting::Into(tilt))));
+        }
+    }
+
+    /// No main axis stands where it did in the coordinates of before.
+    pub(super) fn leave_plane(&mut self) {
+        let here = self.core.here.origin.loc;
+        self.st.position.forget_tip(AxisSet::MAIN, By::Tilt, here);
+        self.st.position.forget(AxisSet::ALL.without(AxisSet::MAIN));
+        self.st.polar.forget_last();
+        self.st.polar.lose_pole();
+    }
+
+    /// `L A+0 C+0 R0 FMAX` behind a plane that ended: where each axis that the program named in the plane has gone back to 0, they all
+    /// turn back. What is left of the end point is given back.
+    fn turns_back_by_numbers(&mut self, w: &Words, mut end: Pos) -> Outcome<Pos> {
+        for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
+            let at_zero = end.get(axis).is_some_and(|target| target % 360.0 == 0.0) && !w.incremental.contains(axis);
+            if !at_zero || !self.st.tilt.turned.contains(axis) {
+                return self.core.refuse(w.axes_span, codes::K2857::which_axes_turned_is_not_known());
+            }
+            self.st.tilt.turned = self.st.tilt.turned.without(AxisSet::of(axis));
+            end.forget(axis);
+        }
+        if self.st.tilt.turned.is_empty() {
+            self.turn_back();
+            self.leave_plane();
+        }
+        Ok(end)
+    }
+
+    /// Is a move refused for how the tool stands? Says so once.
+    #[cold]
+    fn is_barred(&mut self, mv: &Move) -> bool {
+        if mv.coords == Coords::Machine || mv.end.known().common(AxisSet::MAIN).is_empty() {
+            return false;
+        }
+        self.bar();
+        true
+    }
+
+    /// Says why nothing moves by coordinates of the program here.
+    #[cold]
+    pub(super) fn bar(&mut self) {
+        if !std::mem::replace(&mut self.st.tilt.said, true) {
+            self.core.say_here(self.st.tilt.why());
+        }
+        self.st.lose_all(&mut self.core);
     }
 }
 

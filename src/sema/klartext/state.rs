@@ -23,7 +23,7 @@ use super::labels::Label;
 use super::pole::PolarState;
 use super::rotary::RotaryState;
 use super::spindle::SpindleState;
-use super::tilt::TiltState;
+use super::tilt_state::TiltState;
 use super::transformation::Transformation;
 use super::words::{FeedWord, Words};
 use super::{Core, Outcome, Reported};

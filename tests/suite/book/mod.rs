@@ -175,7 +175,7 @@ pub fn of(book: &str) -> Vec<&'static Case> {
 pub fn cases(under: &str) -> Vec<&'static Case> {
     let below = |name: &str, folder: &str| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'));
     let inside = |case: &&Case| match under {
-        "" => !below(&case.name, "targets"),
+        "" => !below(&case.name, "targets") && !case.config.contains("target = \""),
         folder => below(&case.name, folder),
     };
     let mut found: Vec<&Case> = books().iter().filter(inside).collect();
