@@ -216,6 +216,7 @@ pub(super) fn tried(answer: &Answer) -> Option<&'static str> {
         ("tools", "width") => "3.0",
         ("machine", "diameter_axis") => "\"X\"",
         ("machine", "geometry_axes") => "[\"X\", \"Y\", \"Z\"]",
+        ("machine", "tilt_axes") => "[\"A\", \"C\"]",
         ("machine", _) if answer.path[0] == "axes" => "\"leave-out\"",
         ("control", "feed" | "rapid_feed") => "1000.0",
         ("output", "rapid_feed") => "1000",

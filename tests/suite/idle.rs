@@ -23,7 +23,7 @@ fn blocks_behind_the_end_are_looked_at() {
         7 CYCL DEF 4711 FOO\n\
         8 L X+5 X+6\n\
         9 C X+5 R12\n\
-        10 PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY\n\
+        10 PLANE AXIAL B+30 STAY\n\
         11 FN 9: IF +1 EQU +1 GOTO LBL 77\n\
         12 L Z+5 M140 MB 50\n\
         13 CALL LBL 5 REP 2\n\

@@ -14,8 +14,8 @@ import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 const LIMIT = 240000;
-/** Bytes of the playground as a server sends it packed: 3 % more than were measured. */
-const HEAVIEST = 1_250_000;
+/** Bytes of the playground as a server sends it packed: 1 % more than were measured. */
+const HEAVIEST = 1_277_000;
 const lzma = (page) => !page.includes('id="wasm">H4sI');
 const [playground, partc, pictures] = process.argv.slice(2).map((path) => resolve(path));
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");

@@ -236,10 +236,10 @@ impl Printer<'_> {
             Solution::Reference { greater } => return sign(greater),
             Solution::Primary { positive } => {
                 let direction = sign(positive);
-                let own = format!("_DIR {direction}");
+                let own = format!("`_DIR` {direction}");
                 (direction, codes::O2003::target_counts_by_another_axis(name, &"SEQ", &own))
             }
-            Solution::Control => (1, codes::O2003::program_leaves_it_to_its_control(name, &"_DIR 1")),
+            Solution::Control => (1, codes::O2003::program_leaves_it_to_its_control(name, &"`_DIR` 1")),
         };
         self.diags.push_once(fault.at(origin.loc).called(origin.call));
         direction

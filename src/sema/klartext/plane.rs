@@ -489,17 +489,24 @@ mod tests {
             assert!(!tilts(code.as_bytes()), "{code}");
         }
         for code in [
-            "PLANE SPATIAL SPA+0 SPB+10 SPC+0 STAY",
             "PLANE SPATIAL SPA+0 SPB+0 STAY",
             "PLANE AXIAL C+30 STAY",
             "PLANE SPATIAL SPA+0 SPB+0 SPC+Q1 STAY",
-            "PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ-1 STAY",
-            "PLANE VECTOR BX1 BY0 BZ0 NX0 NY0.0000001 NZ1 STAY",
-            "PLANE RESET MOVE DIST50 MB MAX FMAX",
             "PLANE PROJECTED PROPR+0 PROMIN+0 ROT+5 STAY",
-            "PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+20 P2Y+0 P2Z+5 P3X+0 P3Y+20 P3Z+0 STAY",
             "PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+20 P2Y+0 P2Z+0 P3X+40 P3Y+0 P3Z+0 STAY",
         ] {
+            assert!(tilts(code.as_bytes()), "{code}");
+        }
+        for code in [
+            "PLANE SPATIAL SPA+0 SPB+10 SPC+0 STAY",
+            "PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ-1 TURN FMAX",
+            "PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+20 P2Y+0 P2Z+5 P3X+0 P3Y+20 P3Z+0 STAY",
+            "PLANE RESET TURN MB MAX FMAX",
+        ] {
+            assert!(!tilts(code.as_bytes()), "{code}");
+        }
+        for code in ["PLANE SPATIAL SPA+0 SPB+10 SPC+0 MOVE DIST50 F500", "PLANE SPATIAL SPA+0 SPB+10 SPC+0 TURN SYM+"]
+        {
             assert!(tilts(code.as_bytes()), "{code}");
         }
     }

@@ -203,7 +203,12 @@ fn a_plane_that_is_off_leaves_the_tool_askew() {
         let start = with(&format!("{TILT}G0 X1 Y2 Z3\n{off}"));
         finds(&format!("{start}G0 X1 Y2 Z3\nX2\n"), &["8: P2042", "line 7"]);
         finds(&format!("{start}G0 Z50 A0 C0\n"), &["8: P2042"]);
-        let made = clean(&format!("{start}SUPA G0 Z0 D0\nD1\nG0 A0 C0\nG0 X1 Y2 Z3\n"));
+        let by_words = format!("{start}SUPA G0 Z0 D0\nD1\nG0 A0 C0\nG0 X1 Y2 Z3\n");
+        finds(&by_words, &["11: P2042"]);
+        let mut named = Settings::default();
+        named.machine.tilt_axes = [Axis::A, Axis::C].into_iter().collect();
+        let (made, found) = run_with(&by_words, &named);
+        assert!(found.is_empty(), "{found:#?}");
         assert_eq!(made.tiltings[1], Tilting::Off);
         is(made.places[2], [1.0, 2.0, 3.0], 1e-15);
         assert_eq!(clean(&format!("{start}{BACK}G0 X1 Y2 Z3\n")).tiltings.len(), 3);
@@ -247,7 +252,7 @@ fn what_is_refused() {
         finds(&program, &["S9006", words]);
     }
     finds(&format!("$P_UIFR[1]=CROT(Z,10)\n{HEAD}{TILT}"), &["S9006", "offset"]);
-    finds(&with(&format!("G41 D1\nG1 X5 Y5\n{TILT}")), &["S2080"]);
+    finds(&with(&format!("$TC_DP6[1,1]=5\nT1 D1 M6\nG0 X0 Y0 Z5\nG41 G1 X5 Y5\n{TILT}")), &["S2080"]);
     finds(&with(&format!("{TILT}G55\n")), &["S2283", "G55"]);
     finds(&with(&format!("{TILT}G0 X1 Y2 Z3\n$P_IFRAME=CTRANS(X,1)\n")), &["S2283", "$P_IFRAME"]);
     finds(&with(&format!("{TILT}G0 X1 Y2 Z3\nTRANS X1\nCYCLE800()\n")), &["S2283", "TRANS"]);
